@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Command line, meshes, the chain of filters with the paper's parameters, and pictures: what the examples share."""
+
+import argparse
+import os
+
+import numpy as np
+import scenes
+import shadowcones as sc
+import vtkmodules.vtkRenderingFreeType  # the text of captions
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkHedgeHog
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOImport import vtk3DSImporter
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextProperty, vtkTextRenderer, vtkWindowToImageFilter)
+
+# Debian's package glmark2-data: real meshes that nobody here made.
+REAL_MESHES = "/usr/share/glmark2/models"
+
+GREY = (0.8, 0.78, 0.74)
+BLUE = (0.15, 0.35, 0.95)
+RED = (0.9, 0.1, 0.1)
+GREEN = (0.0, 0.55, 0.1)
+
+
+def parser(description, size, vectors=None):
+    """A parser with the options of every example, for more to be added."""
+    result = argparse.ArgumentParser(description=description)
+    result.add_argument("--output", default="output", help="folder to write to (default: output)")
+    result.add_argument("--data", default=scenes.DATA, help="folder of the meshes (default: Data of this project)")
+    result.add_argument("--size", type=int, default=size, help=f"width and height of a picture, pixels (default: {size})")
+    if vectors:
+        result.add_argument("--vectors", type=int, default=vectors, help=f"number of shadow vectors (default: {vectors})")
+    return result
+
+
+def parse(options):
+    """The command line; the folder to write to is there afterwards."""
+    arguments = options.parse_args()
+    os.makedirs(arguments.output, exist_ok=True)
+    return arguments
+
+
+def array(data, name):
+    """A named array of point, cell or field data as numpy sees it."""
+    return vtk_to_numpy(data.GetArray(name))
+
+
+# Meshes
+
+
+def read_3ds(path):
+    """All objects of a .3ds file as one mesh."""
+    importer = vtk3DSImporter()
+    importer.SetFileName(path)
+    importer.ComputeNormalsOff()
+    importer.Update()
+    append = vtkAppendPolyData()
+    actors = importer.GetRenderer().GetActors()
+    actors.InitTraversal()
+    for _ in range(actors.GetNumberOfItems()):
+        mapper = actors.GetNextActor().GetMapper()
+        mapper.Update()
+        append.AddInputData(mapper.GetInput())
+    # The importer splits points where the smoothing changes.
+    clean = vtkCleanPolyData()
+    clean.SetInputConnection(append.GetOutputPort())
+    clean.Update()
+    return clean.GetOutput()
+
+
+def read_mesh(path):
+    """A mesh from a .vtp, .obj, .ply, .stl or .3ds file."""
+    readers = {".vtp": vtkXMLPolyDataReader, ".obj": vtkOBJReader, ".ply": vtkPLYReader, ".stl": vtkSTLReader}
+    extension = os.path.splitext(path)[1].lower()
+    if not os.path.exists(path):
+        raise SystemExit(f"There is no file {path}")
+    if extension == ".3ds":
+        mesh = read_3ds(path)
+    elif extension in readers:
+        reader = readers[extension]()
+        reader.SetFileName(path)
+        reader.Update()
+        mesh = reader.GetOutput()
+    else:
+        raise SystemExit(f"{path}: none of {', '.join(readers)}, .3ds")
+    if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
+        raise SystemExit(f"{path}: there are no polygons")
+    return mesh
+
+
+def fit(mesh, size, bottom, turns=()):
+    """The mesh, turned by (axis, degrees) pairs, centred over the floor, `size` across at its widest, from height `bottom` up."""
+    transform = vtkTransform()
+    transform.PostMultiply()
+    for axis, degrees in turns:
+        getattr(transform, "Rotate" + axis)(degrees)
+    move = vtkTransformPolyDataFilter()
+    move.SetInputData(mesh)
+    move.SetTransform(transform)
+    move.Update()
+    low, high = np.reshape(move.GetOutput().GetBounds(), (3, 2)).T
+    scale = size / max(high - low)
+    middle = 0.5 * (low + high)
+    transform.Translate(-middle[0], -low[1], -middle[2])
+    transform.Scale(scale, scale, scale)
+    transform.Translate(0.0, bottom, 0.0)
+    move.Update()
+    return move.GetOutput()
+
+
+# The chain
+
+
+def shadow_vectors(occluders, light, number):
+    """Shadow vectors of labelled occluders, on their back sides."""
+    vectors = sc.vtkShadowVectorFilter()
+    vectors.SetInputConnection(occluders.GetOutputPort())
+    vectors.SetLightConnection(light.GetOutputPort())
+    vectors.SetTargetNumberOfVectors(number)
+    vectors.SetStorageToBackSide()
+    vectors.SetSeed(1)
+    return vectors
+
+
+def cone_set(vectors):
+    """Cones of shadow vectors, with the paper's p1 to p4."""
+    cones = sc.vtkConeSetFilter()
+    cones.SetInputConnection(vectors.GetOutputPort(0))
+    cones.SetPhotonPathConnection(vectors.GetOutputPort(1))
+    cones.SetNumberOfNeighbors(100)
+    cones.SetNumberOfSectors(20)
+    cones.SetPointsPerRing(16)
+    cones.SetMinimumVectorsPerCone(20)
+    return cones
+
+
+def light_shafts(room, light, cones, mode, size):
+    """The paper's fog in the room, as its open front shows it. `mode` is BruteForce, Medium or Fast."""
+    image = sc.vtkScatteringImageFilter()
+    image.SetInputConnection(room.GetOutputPort())
+    image.SetLightConnection(light.GetOutputPort())
+    image.SetConeSetConnection(cones.GetOutputPort())
+    image.SetCamera(scenes.front_camera())
+    image.SetResolution(size, size)
+    getattr(image, "SetModeTo" + mode)()
+    image.SetSigmaS(0.12)
+    image.SetPhasePresetToRayleigh()
+    image.SetMediumBounds(*scenes.MEDIUM_BOUNDS)
+    return image
+
+
+def summary(cones):
+    """One line on a cone set."""
+    cones.Update()
+    field = cones.GetOutput().GetFieldData()
+    return (f"{field.GetArray('NumberOfVectors').GetTuple1(0):,.0f} vectors, "
+            f"{cones.GetOutput().GetNumberOfPoints()} cones, "
+            f"{field.GetArray('DiscardedFraction').GetTuple1(0):.1%} of the vectors discarded")
+
+
+# Pictures: numpy arrays of height x width x 3 bytes, the lowest row first as VTK has it
+
+
+def pixels(image):
+    """The active scalars of a 2-D image as a picture."""
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[:, :, :3]
+
+
+def save(picture, path, levels=256):
+    """Write a picture as PNG. Fewer levels a channel make a smaller file; 32 are enough for drawings."""
+    picture = np.round(np.round(picture * ((levels - 1) / 255.0)) * (255.0 / (levels - 1))).astype(np.uint8)
+    height, width, _ = picture.shape
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(picture).reshape(-1, 3), deep=True))
+    scenes.write_png(image, path)
+    print(f"wrote {path}")
+
+
+def text(words, width, height):
+    """Dark words in the middle of a white strip."""
+    style = vtkTextProperty()
+    style.SetFontSize(max(6, round(0.58 * height)))
+    style.SetColor(1.0, 1.0, 1.0)
+    rendered = vtkImageData()
+    strip = np.full((height, width, 3), 255, dtype=np.uint8)
+    if words and vtkTextRenderer.GetInstance().RenderString(style, words, rendered, [0, 0], 72):
+        columns, rows, _ = rendered.GetDimensions()
+        ink = vtk_to_numpy(rendered.GetPointData().GetScalars()).reshape(rows, columns, -1)[:, :, -1]
+        (low, *_, high), (left, *_, right) = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
+        ink = ink[low:high + 1, left:right + 1][:height, :width]
+        y, x = (height - ink.shape[0]) // 2, (width - ink.shape[1]) // 2
+        strip[y:y + ink.shape[0], x:x + ink.shape[1]] = 255 - (ink * 0.85).astype(np.uint8)[:, :, np.newaxis]
+    return strip
+
+
+def table(rows, columns, row_titles=None, gap=4):
+    """Pictures of one size in rows, under the titles of their columns and beside those of their rows."""
+    height, width, _ = rows[0][0].shape
+    line = 26
+
+    def beside(pictures, first):
+        between = np.full((pictures[0].shape[0], gap, 3), 255, dtype=np.uint8)
+        parts = [part for picture in pictures for part in (between, picture)][1:]
+        return np.concatenate(([first] if row_titles else []) + parts, axis=1)
+
+    lines = [beside([text(title, width, line) for title in columns], text("", line, line))]
+    for index, pictures in enumerate(rows):
+        title = np.rot90(text(row_titles[index], height, line), -1) if row_titles else None
+        lines += [beside(pictures, title)]
+    between = np.full((gap, lines[0].shape[1], 3), 255, dtype=np.uint8)
+    return np.concatenate([part for strip in reversed(lines) for part in (strip, between)][:-1], axis=0)
+
+
+def add_actor(renderer, port, color, opacity=1.0, line_width=1.0, ambient=0.0):
+    """Show the output of a filter. `ambient` is the share of light that does not come from the camera."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(port)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetColor(*color)
+    look.SetOpacity(opacity)
+    look.SetLineWidth(line_width)
+    look.SetAmbient(ambient)
+    look.SetDiffuse(1.0 - ambient)
+    renderer.AddActor(actor)
+    return actor
+
+
+def render(renderer, camera, size):
+    """What a renderer shows off screen, as a picture. Needs a display."""
+    renderer.SetBackground(1.0, 1.0, 1.0)
+    renderer.SetActiveCamera(camera)
+    renderer.SetUseDepthPeeling(True)
+    renderer.SetMaximumNumberOfPeels(40)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetAlphaBitPlanes(True)
+    window.SetMultiSamples(0)
+    window.SetSize(2 * size, 2 * size)
+    window.AddRenderer(renderer)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    grab.Update()
+    # Four pixels to one: depth peeling has no multi-sampling.
+    large = pixels(grab.GetOutput()).reshape(size, 2, size, 2, 3)
+    return large.mean(axis=(1, 3)).round().astype(np.uint8)
+
+
+def cone_view(occluders, vectors, cones, length, camera, size, mesh_opacity=1.0):
+    """Cones in blue, cut at a length; base discs in red; shadow vectors in green; the mesh in grey. Needs a display."""
+    geometry = sc.vtkConeSetGeometry()
+    geometry.SetInputConnection(cones.GetOutputPort())
+    geometry.SetLength(length)
+    vectors.Update()
+    directed = vectors.GetOutput().NewInstance()
+    directed.ShallowCopy(vectors.GetOutput())
+    directed.GetPointData().SetActiveVectors("Direction")
+    lines = vtkHedgeHog()
+    lines.SetInputData(directed)
+    lines.SetScaleFactor(0.06)
+
+    renderer = vtkRenderer()
+    add_actor(renderer, occluders.GetOutputPort(), GREY, opacity=mesh_opacity, ambient=0.4)
+    add_actor(renderer, geometry.GetOutputPort(0), BLUE, opacity=0.08, ambient=0.5)
+    add_actor(renderer, geometry.GetOutputPort(1), RED, opacity=0.6, ambient=1.0)
+    add_actor(renderer, lines.GetOutputPort(), GREEN, line_width=2.0, ambient=1.0)
+    return render(renderer, camera, size)

@@ -1,0 +1,49 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The cones of a chair and a tree (the paper's figure 7): blue, their base discs red, the shadow vectors green."""
+
+import os
+
+import common
+import scenes
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+MODELS = ("chair", "tree")
+# Cones are cut here, world units from their base: the leaves' are small and many.
+LENGTHS = {"chair": 0.5, "tree": 0.25}
+
+
+def camera(position, focal_point, view_up, view_angle):
+    result = vtkCamera()
+    result.SetPosition(*position)
+    result.SetFocalPoint(*focal_point)
+    result.SetViewUp(*view_up)
+    result.SetViewAngle(view_angle)
+    return result
+
+
+def views(model):
+    """Camera and opacity of the mesh: from behind the light, where discs would hide below the mesh, and from the side."""
+    height = 3.0 if model == "chair" else 4.5
+    near = camera((0.0, 8.5, 0.4), (0.0, 0.5 * height, 0.0), (0.0, 0.0, -1.0), 25.0 if model == "chair" else 46.0)
+    side = camera((6.5, 0.5 * height + 1.6, 8.0), (0.0, 0.47 * height, 0.0), (0.0, 1.0, 0.0), 12.0 + 4.0 * height)
+    return (near, 0.4), (side, 1.0)
+
+
+def main():
+    arguments = common.parse(common.parser(__doc__, size=420, vectors=5800))
+    light = scenes.ceiling_light()
+    rows = []
+    for model in MODELS:
+        occluders = scenes.label(scenes.read(os.path.join(arguments.data, model + ".vtp")))
+        vectors = common.shadow_vectors(occluders, light, arguments.vectors)
+        cones = common.cone_set(vectors)
+        print(f"{model}: {common.summary(cones)}", flush=True)
+        rows.append([common.cone_view(occluders, vectors, cones, LENGTHS[model], view, arguments.size, opacity)
+                     for view, opacity in views(model)])
+    common.save(common.table(rows, ("from near the light", "from the side"), MODELS),
+                os.path.join(arguments.output, "figure7.png"), levels=32)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,582 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scScatteringImage.h"
+
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace shadowcones;
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+/// A triangle mesh that owns its arrays.
+struct Triangles
+{
+  std::vector<double> Points;
+  std::vector<vtkIdType> Ids;
+
+  /// A parallelogram with one corner and two edges.
+  void AddQuad(const Vector3& corner, const Vector3& u, const Vector3& v)
+  {
+    const auto first = static_cast<vtkIdType>(this->Points.size() / 3);
+    for (const Vector3& p : { corner, corner + u, corner + u + v, corner + v })
+    {
+      this->Points.insert(this->Points.end(), { p.X, p.Y, p.Z });
+    }
+    this->Ids.insert(this->Ids.end(), { first, first + 1, first + 2, first, first + 2, first + 3 });
+  }
+  TriangleMeshView View() const
+  {
+    TriangleMeshView view;
+    view.Points = this->Points.data();
+    view.NumberOfPoints = static_cast<vtkIdType>(this->Points.size() / 3);
+    view.Triangles = this->Ids.data();
+    view.NumberOfTriangles = static_cast<vtkIdType>(this->Ids.size() / 3);
+    return view;
+  }
+};
+
+Light MakeLight(LightShape shape, const Vector3& center, const Vector3& normal, double radius, int wavelengths = 1)
+{
+  Light light;
+  light.Shape = shape;
+  light.Center = center;
+  light.Normal = normal;
+  light.Radius = radius;
+  light.Spectrum.assign(static_cast<std::size_t>(wavelengths), 1.0);
+  EXPECT_EQ(PrepareLight(light), nullptr);
+  return light;
+}
+
+Medium MakeMedium(const Box& bounds, double sigmaS, double sigmaA, int wavelengths = 1)
+{
+  Medium medium;
+  medium.SigmaS.assign(static_cast<std::size_t>(wavelengths), sigmaS);
+  medium.SigmaA.assign(static_cast<std::size_t>(wavelengths), sigmaA);
+  medium.Bounds = bounds;
+  return medium;
+}
+
+/// A room with a lamp at the top, a tilted plate below it and a floor; the camera looks in from the front.
+struct Room
+{
+  Triangles Mesh;
+  Light Lamp = MakeLight(LightShape::Disc, { 0.0, 2.0, 0.0 }, { 0.0, -1.0, 0.0 }, 0.4);
+  Medium Fog = MakeMedium({ { -2.0, -2.0, -2.0 }, { 2.0, 2.0, 2.0 } }, 0.2, 0.05);
+  Camera View;
+  ScatteringOptions Options;
+
+  Room()
+  {
+    this->Mesh.AddQuad({ -0.7, 0.1, -0.5 }, { 1.2, 0.3, 0.0 }, { 0.0, 0.1, 1.1 });
+    this->Mesh.AddQuad({ -2.0, -1.9, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 4.0 });
+    this->View.Position = { 0.0, 0.0, 7.0 };
+    this->View.HalfHeight = 0.35;
+    this->Options.Width = 16;
+    this->Options.Height = 12;
+    this->Options.Extent = { 0, 15, 0, 11 };
+    this->Options.NumberOfLightSamples = 4;
+    this->Options.NumberOfSteps = 12;
+  }
+
+  /// Cones that hold all of the plate's shadow, and no part of the floor.
+  std::vector<Cone> BoundingCones() const
+  {
+    Cone cone;
+    cone.Center = { -0.1, 0.9, 0.0 };
+    cone.Axis = { 0.0, -1.0, 0.0 };
+    cone.BaseRadius = 1.5;
+    cone.HalfAngle = std::atan((1.5 + 0.5) / 1.1);
+    cone.OccluderId = 0;
+    return { cone };
+  }
+
+  ScatteringImage Render(ScatteringMode mode, const std::vector<Cone>& cones = {}) const
+  {
+    const OccluderScene scene(this->Mesh.View());
+    const ConeHierarchy hierarchy(cones, this->Fog.Bounds);
+    ScatteringOptions options = this->Options;
+    options.Mode = mode;
+    ScatteringImage image;
+    EXPECT_TRUE(RenderScattering(scene, this->Lamp, this->Fog, this->View, &hierarchy, options, {}, image));
+    return image;
+  }
+};
+
+double Sum(const std::vector<float>& values)
+{
+  double sum = 0.0;
+  for (const float value : values)
+  {
+    sum += value;
+  }
+  return sum;
+}
+
+void ExpectSameBytes(const ScatteringImage& a, const ScatteringImage& b)
+{
+  EXPECT_EQ(a.Radiance, b.Radiance);
+  EXPECT_EQ(a.InScattering, b.InScattering);
+  EXPECT_EQ(a.SurfaceRadiance, b.SurfaceRadiance);
+  EXPECT_EQ(a.Transmittance, b.Transmittance);
+  EXPECT_EQ(a.Depth, b.Depth);
+  EXPECT_EQ(a.RelativeError, b.RelativeError);
+  EXPECT_EQ(a.SampleCount, b.SampleCount);
+}
+
+/// One ray along -z from (x, y, z): a camera of one pixel.
+Camera SinglePixel(const Vector3& position)
+{
+  Camera camera;
+  camera.Position = position;
+  camera.HalfHeight = 1e-9;
+  return camera;
+}
+
+ScatteringImage RenderPixel(
+  const Triangles& mesh, const Light& light, const Medium& medium, const Camera& camera, ScatteringOptions options)
+{
+  options.Width = options.Height = 1;
+  options.Extent = { 0, 0, 0, 0 };
+  const OccluderScene scene(mesh.View());
+  ScatteringImage image;
+  EXPECT_TRUE(RenderScattering(scene, light, medium, camera, nullptr, options, {}, image));
+  return image;
+}
+
+} // namespace
+
+TEST(ScatteringImage, AirlightOfAPointMatchesASimpleQuadrature)
+{
+  const Box box{ { -3.0, -1.0, -2.0 }, { 3.0, 4.0, 5.0 } };
+  const Light light = MakeLight(LightShape::Point, { 0.5, 1.5, 1.0 }, { 0.0, 0.0, 1.0 }, 0.0);
+  const double sigmaS = 0.3;
+  const double sigmaT = 0.4;
+  ScatteringOptions options;
+  options.NumberOfSteps = 64;
+  options.NumberOfLightSamples = 1;
+  const ScatteringImage image =
+    RenderPixel({}, light, MakeMedium(box, sigmaS, sigmaT - sigmaS), SinglePixel({ 0.2, 0.3, 9.0 }), options);
+
+  // From z = 5 down to z = -2; the lamp is inside the box, so its leg is the whole distance.
+  const int steps = 100000;
+  double expected = 0.0;
+  for (int i = 0; i < steps; ++i)
+  {
+    const double z = 5.0 - 7.0 * (i + 0.5) / steps;
+    const double d = std::sqrt(0.3 * 0.3 + 1.2 * 1.2 + (z - 1.0) * (z - 1.0));
+    expected += sigmaS / (4.0 * pi) / (d * d) * std::exp(-sigmaT * (5.0 - z + d)) * 7.0 / steps;
+  }
+  EXPECT_NEAR(image.InScattering[0] / expected, 1.0, 0.002);
+  EXPECT_NEAR(image.Transmittance[0], std::exp(-sigmaT * 7.0), 1e-6);
+  EXPECT_EQ(image.Depth[0], -1.0f);
+}
+
+TEST(ScatteringImage, LightFromOutsideIsAttenuatedInsideTheBoxOnly)
+{
+  const Box box{ { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
+  // The sun shines down; the light leg is 1 - y = 0.5 for every point of the ray.
+  const Light light = MakeLight(LightShape::Sun, {}, { 0.0, -1.0, 0.0 }, 0.0);
+  const ScatteringImage image =
+    RenderPixel({}, light, MakeMedium(box, 0.5, 0.0), SinglePixel({ 0.0, 0.5, 8.0 }), {});
+  const double expected = 0.5 / (4.0 * pi) * std::exp(-0.5 * 0.5) * (1.0 - std::exp(-0.5 * 2.0)) / 0.5;
+  EXPECT_NEAR(image.InScattering[0] / expected, 1.0, 0.001);
+}
+
+TEST(ScatteringImage, ParallelLightWithAShadowedIntervalMatchesTheClosedForm)
+{
+  const Box box{ { -1.0, 0.0, -3.0 }, { 1.0, 1.0, 1.0 } };
+  const Light light = MakeLight(LightShape::Sun, {}, { 0.0, -1.0, 0.0 }, 0.0);
+  // A plate above the box shadows z in [-1.3, -0.2], that is 1.2 to 2.3 along the ray from z = 1.
+  Triangles mesh;
+  mesh.AddQuad({ -2.0, 2.0, -1.3 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 1.1 });
+  ScatteringOptions options;
+  options.NumberOfSteps = 64;
+  options.MaximumDepth = 8;
+  options.NumberOfLightSamples = 1;
+  const double sigmaS = 0.35;
+  const double sigmaT = 0.5;
+  const double y = 0.4;
+  const ScatteringImage image =
+    RenderPixel(mesh, light, MakeMedium(box, sigmaS, sigmaT - sigmaS), SinglePixel({ 0.0, y, 6.0 }), options);
+  const double blocked = std::exp(-sigmaT * 1.2) - std::exp(-sigmaT * 2.3);
+  const double expected = sigmaS / (4.0 * pi * sigmaT) * std::exp(-sigmaT * (1.0 - y)) *
+    (1.0 - std::exp(-sigmaT * 4.0) - blocked);
+  EXPECT_NEAR(image.InScattering[0] / expected, 1.0, 0.001);
+}
+
+TEST(ScatteringImage, ADiscOnTheAxisScattersItsSolidAngle)
+{
+  // A medium 0.01 thick at height 1 below a disc of radius 0.6, seen from the side.
+  const Box box{ { -0.005, -0.005, -0.005 }, { 0.005, 0.005, 0.005 } };
+  const Light light = MakeLight(LightShape::Disc, { 0.0, 1.0, 0.0 }, { 0.0, -1.0, 0.0 }, 0.6);
+  ScatteringOptions options;
+  options.NumberOfLightSamples = 64;
+  const ScatteringImage image =
+    RenderPixel({}, light, MakeMedium(box, 1e-3, 0.0), SinglePixel({ 0.0, 0.0, 3.0 }), options);
+  const double solidAngle = 2.0 * pi * (1.0 - 1.0 / std::sqrt(1.0 + 0.36));
+  EXPECT_NEAR(image.InScattering[0] / (1e-3 * solidAngle / (4.0 * pi) * 0.01), 1.0, 0.005);
+}
+
+TEST(ScatteringImage, ForwardScatteringLooksTowardsTheLight)
+{
+  const Box box{ { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
+  Medium medium = MakeMedium(box, 0.1, 0.0);
+  medium.Phase = { PhaseFunctionKind::HenyeyGreenstein, {}, 0.7 };
+  // The sun shines along +z, into the camera's eye; then along -z, from behind it.
+  const Light against = MakeLight(LightShape::Sun, {}, { 0.0, 0.0, 1.0 }, 0.0);
+  const Light behind = MakeLight(LightShape::Sun, {}, { 0.0, 0.0, -1.0 }, 0.0);
+  const Camera camera = SinglePixel({ 0.0, 0.0, 4.0 });
+  const double towards = RenderPixel({}, against, medium, camera, {}).InScattering[0];
+  const double away = RenderPixel({}, behind, medium, camera, {}).InScattering[0];
+  EXPECT_GT(towards, 20.0 * away);
+}
+
+TEST(ScatteringImage, SurfaceRadianceUnderADisc)
+{
+  Triangles mesh;
+  mesh.AddQuad({ -5.0, 0.0, -5.0 }, { 10.0, 0.0, 0.0 }, { 0.0, 0.0, 10.0 });
+  const double h = 2.0;
+  const double radius = 0.7;
+  const Light light = MakeLight(LightShape::Disc, { 0.0, h, 0.0 }, { 0.0, -1.0, 0.0 }, radius);
+  Camera camera;
+  camera.Position = { 0.0, 3.0, 4.0 };
+  camera.Forward = Normalized({ 0.0, -3.0, -4.0 });
+  camera.Right = { 1.0, 0.0, 0.0 };
+  camera.Up = Cross(camera.Right, camera.Forward);
+  camera.HalfHeight = 1e-9;
+  ScatteringOptions options;
+  options.NumberOfSurfaceLightSamples = 256;
+  options.Reflectance = 0.8;
+  options.LightVisible = false;
+  const Medium vacuum = MakeMedium({ { 9.0, 9.0, 9.0 }, { 10.0, 10.0, 10.0 } }, 0.1, 0.0);
+  const double irradiance = pi * radius * radius / (h * h + radius * radius);
+  const ScatteringImage clear = RenderPixel(mesh, light, vacuum, camera, options);
+  EXPECT_NEAR(clear.SurfaceRadiance[0] / (0.8 / pi * irradiance), 1.0, 0.005);
+  EXPECT_NEAR(clear.Depth[0], 5.0, 1e-5);
+  EXPECT_EQ(clear.InScattering[0], 0.0f);
+  EXPECT_EQ(clear.SampleCount[0], 0);
+
+  // The surface is two-sided: seen from below it is dark, because the lamp is above.
+  camera.Position = { 0.0, -3.0, 4.0 };
+  camera.Forward = Normalized({ 0.0, 3.0, -4.0 });
+  camera.Up = Cross(camera.Right, camera.Forward);
+  EXPECT_EQ(RenderPixel(mesh, light, vacuum, camera, options).SurfaceRadiance[0], 0.0f);
+
+  // Reflectance per triangle takes the place of the parameter.
+  camera.Position = { 0.0, 3.0, 4.0 };
+  camera.Forward = Normalized({ 0.0, -3.0, -4.0 });
+  camera.Up = Cross(camera.Right, camera.Forward);
+  options.SurfaceReflectance = { 0.4f, 0.4f };
+  EXPECT_FLOAT_EQ(
+    RenderPixel(mesh, light, vacuum, camera, options).SurfaceRadiance[0], 0.5f * clear.SurfaceRadiance[0]);
+}
+
+TEST(ScatteringImage, SurfacesAreSeenThroughTheMediumOnBothLegs)
+{
+  Triangles mesh;
+  mesh.AddQuad({ -5.0, 0.0, -5.0 }, { 10.0, 0.0, 0.0 }, { 0.0, 0.0, 10.0 });
+  const Light sun = MakeLight(LightShape::Sun, {}, { 0.0, -1.0, 0.0 }, 0.0);
+  Camera camera;
+  camera.Position = { 0.0, 4.0, 0.0 };
+  camera.Forward = { 0.0, -1.0, 0.0 };
+  camera.Up = { 0.0, 0.0, -1.0 };
+  camera.HalfHeight = 1e-9;
+  const Medium medium = MakeMedium({ { -5.0, -1.0, -5.0 }, { 5.0, 1.5, 5.0 } }, 0.2, 0.1);
+  const ScatteringImage image = RenderPixel(mesh, sun, medium, camera, {});
+  EXPECT_NEAR(image.SurfaceRadiance[0], 0.5 / pi * std::exp(-0.3 * 3.0), 1e-5);
+  EXPECT_NEAR(image.Transmittance[0], std::exp(-0.3 * 1.5), 1e-5);
+  EXPECT_FLOAT_EQ(image.Radiance[0], image.SurfaceRadiance[0] + image.InScattering[0]);
+}
+
+TEST(ScatteringImage, TheCameraSeesTheLightFromItsBrightSide)
+{
+  const Box box{ { -1.0, -1.0, 0.0 }, { 1.0, 1.0, 2.0 } };
+  const Medium medium = MakeMedium(box, 0.0, 0.5);
+  Light rectangle = MakeLight(LightShape::Disc, {}, { 0.0, 0.0, 1.0 }, 1.0);
+  rectangle.Shape = LightShape::Rectangle;
+  rectangle.AxisU = { 0.5, 0.0, 0.0 };
+  rectangle.AxisV = { 0.0, 0.5, 0.0 };
+  ASSERT_EQ(PrepareLight(rectangle), nullptr);
+  Light mesh = rectangle;
+  mesh.Shape = LightShape::Mesh;
+  mesh.Triangles = { { Vector3{ -1.0, -1.0, 0.0 }, Vector3{ 1.0, -1.0, 0.0 }, Vector3{ 0.0, 2.0, 0.0 } } };
+  ASSERT_EQ(PrepareLight(mesh), nullptr);
+  const double sunRadius = 0.1;
+  const Light sun = MakeLight(LightShape::Sun, {}, { 0.0, 0.0, 1.0 }, sunRadius);
+
+  const Camera camera = SinglePixel({ 0.0, 0.0, 5.0 });
+  const double seen = std::exp(-0.5 * 2.0);
+  for (const Light& light : { MakeLight(LightShape::Disc, {}, { 0.0, 0.0, 1.0 }, 0.3), rectangle, mesh,
+         MakeLight(LightShape::Sphere, { 0.0, 0.0, -0.3 }, { 0.0, 0.0, 1.0 }, 0.3) })
+  {
+    EXPECT_NEAR(RenderPixel({}, light, medium, camera, {}).Radiance[0], seen, 1e-5)
+      << "shape " << static_cast<int>(light.Shape);
+    ScatteringOptions hidden;
+    hidden.LightVisible = false;
+    EXPECT_EQ(RenderPixel({}, light, medium, camera, hidden).Radiance[0], 0.0f);
+    EXPECT_EQ(RenderPixel({}, light, medium, SinglePixel({ 3.0, 0.0, 5.0 }), {}).Radiance[0], 0.0f) << "beside it";
+  }
+  // A sun of irradiance 1 has the radiance 1 / solid angle.
+  const double solidAngle = 2.0 * pi * (1.0 - std::cos(sunRadius));
+  EXPECT_NEAR(RenderPixel({}, sun, medium, camera, {}).Radiance[0] / (seen / solidAngle), 1.0, 1e-5);
+  // The back of a disc is dark, and a surface in front hides the light.
+  EXPECT_EQ(RenderPixel({}, MakeLight(LightShape::Disc, {}, { 0.0, 0.0, -1.0 }, 0.3), medium, camera, {}).Radiance[0],
+    0.0f);
+  Triangles screen;
+  screen.AddQuad({ -1.0, -1.0, 0.5 }, { 2.0, 0.0, 0.0 }, { 0.0, 2.0, 0.0 });
+  ScatteringOptions black;
+  black.NumberOfSurfaceLightSamples = 0;
+  EXPECT_EQ(RenderPixel(screen, rectangle, medium, camera, black).Radiance[0], 0.0f);
+}
+
+TEST(ScatteringImage, AnUnoccludedSceneIsTheSameInEveryMode)
+{
+  Room room;
+  room.Mesh = {};
+  const ScatteringImage bruteForce = room.Render(ScatteringMode::BruteForce);
+  EXPECT_GT(Sum(bruteForce.InScattering), 0.0);
+  ExpectSameBytes(bruteForce, room.Render(ScatteringMode::Medium));
+  ExpectSameBytes(bruteForce, room.Render(ScatteringMode::Fast));
+  // A mesh on the dark side of the lamp changes nothing in the medium either.
+  room.Mesh.AddQuad({ -1.0, 3.0, -1.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 2.0 });
+  EXPECT_EQ(bruteForce.InScattering, room.Render(ScatteringMode::BruteForce).InScattering);
+}
+
+TEST(ScatteringImage, MediumHasTheBytesOfBruteForceWhereConesBoundTheShadow)
+{
+  Room room;
+  room.Options.NumberOfSteps = 24;
+  const auto cones = room.BoundingCones();
+  const ScatteringImage bruteForce = room.Render(ScatteringMode::BruteForce);
+  const ScatteringImage medium = room.Render(ScatteringMode::Medium, cones);
+  ExpectSameBytes(bruteForce, medium);
+  EXPECT_LT(medium.NumberOfOcclusionRays, bruteForce.NumberOfOcclusionRays);
+  EXPECT_GT(medium.NumberOfOcclusionRays, bruteForce.NumberOfOcclusionRays / 20);
+  // Without cones light leaks into the shadow.
+  EXPECT_GT(Sum(room.Render(ScatteringMode::Medium).InScattering), 1.01 * Sum(bruteForce.InScattering));
+}
+
+TEST(ScatteringImage, FastCastsNoRaysAndIsDarker)
+{
+  const Room room;
+  const auto cones = room.BoundingCones();
+  const ScatteringImage bruteForce = room.Render(ScatteringMode::BruteForce);
+  const ScatteringImage fast = room.Render(ScatteringMode::Fast, cones);
+  EXPECT_EQ(fast.NumberOfOcclusionRays, 0);
+  EXPECT_LT(Sum(fast.InScattering), 0.9 * Sum(bruteForce.InScattering));
+  EXPECT_GT(Sum(fast.InScattering), 0.0);
+}
+
+TEST(ScatteringImage, FastLeavesOutExactlyTheCones)
+{
+  // The sun from above; a cylinder across the ray takes out z in [-0.5, 0.5].
+  const Box box{ { -1.0, -1.0, -2.0 }, { 1.0, 1.0, 2.0 } };
+  const Light sun = MakeLight(LightShape::Sun, {}, { 0.0, -1.0, 0.0 }, 0.0);
+  const Medium medium = MakeMedium(box, 0.1, 0.0);
+  Cone cylinder;
+  cylinder.Center = { 0.0, 0.9, 0.0 };
+  cylinder.Axis = { 0.0, -1.0, 0.0 };
+  cylinder.BaseRadius = 0.5;
+  const OccluderScene scene(Triangles{}.View());
+  const ConeHierarchy cones({ cylinder }, box);
+  ScatteringOptions options;
+  options.Mode = ScatteringMode::Fast;
+  options.Width = options.Height = 1;
+  options.Extent = { 0, 0, 0, 0 };
+  ScatteringImage image;
+  ASSERT_TRUE(RenderScattering(scene, sun, medium, SinglePixel({ 0.0, 0.5, 4.0 }), &cones, options, {}, image));
+  const double s = 0.1;
+  const double lit = (1.0 - std::exp(-s * 1.5) + std::exp(-s * 2.5) - std::exp(-s * 4.0)) / s;
+  EXPECT_NEAR(image.InScattering[0] / (s / (4.0 * pi) * std::exp(-s * 0.5) * lit), 1.0, 1e-4);
+}
+
+TEST(ScatteringImage, TheSameBytesForAnyNumberOfThreads)
+{
+  const Room room;
+  vtkSMPTools::Initialize(1);
+  const ScatteringImage one = room.Render(ScatteringMode::BruteForce);
+  vtkSMPTools::Initialize(2);
+  const ScatteringImage two = room.Render(ScatteringMode::BruteForce);
+  vtkSMPTools::Initialize();
+  ExpectSameBytes(one, two);
+  EXPECT_EQ(one.NumberOfOcclusionRays, two.NumberOfOcclusionRays);
+}
+
+TEST(ScatteringImage, ExtentsPutTogetherAreTheWhole)
+{
+  Room room;
+  const ScatteringImage whole = room.Render(ScatteringMode::BruteForce);
+  vtkIdType rays = 0;
+  for (const auto& extent : { std::array<int, 4>{ 0, 4, 0, 6 }, { 5, 15, 0, 6 }, { 0, 4, 7, 11 }, { 5, 15, 7, 11 } })
+  {
+    room.Options.Extent = extent;
+    const ScatteringImage part = room.Render(ScatteringMode::BruteForce);
+    rays += part.NumberOfOcclusionRays;
+    std::size_t index = 0;
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i, ++index)
+      {
+        EXPECT_EQ(part.Radiance[index], whole.Radiance[static_cast<std::size_t>(16 * j + i)]);
+      }
+    }
+  }
+  EXPECT_EQ(rays, whole.NumberOfOcclusionRays);
+}
+
+TEST(ScatteringImage, EveryWavelengthIsItsOwnImage)
+{
+  Room room;
+  room.Options.MaximumDepth = 0; // halving looks at the mean over wavelengths
+  room.Lamp.Spectrum = { 1.0, 0.5, 2.0 };
+  room.Fog.SigmaS = { 0.1, 0.2, 0.1 };
+  room.Fog.SigmaA = { 0.0, 0.3, 0.0 };
+  const ScatteringImage image = room.Render(ScatteringMode::BruteForce);
+  ASSERT_EQ(image.NumberOfWavelengths, 3);
+  const Room whole = room;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    room.Lamp.Spectrum = { whole.Lamp.Spectrum[k] };
+    room.Fog.SigmaS = { whole.Fog.SigmaS[k] };
+    room.Fog.SigmaA = { whole.Fog.SigmaA[k] };
+    const ScatteringImage single = room.Render(ScatteringMode::BruteForce);
+    for (std::size_t i = 0; i < single.Depth.size(); ++i)
+    {
+      EXPECT_EQ(image.Radiance[3 * i + k], single.Radiance[i]);
+      EXPECT_EQ(image.Transmittance[3 * i + k], single.Transmittance[i]);
+    }
+  }
+}
+
+TEST(ScatteringImage, RelativeErrorIsTheSpreadOverSeeds)
+{
+  Room room; // nine samples: a grid of three by three
+  room.Options.Width = 4;
+  room.Options.Height = 3;
+  room.Options.Extent = { 0, 3, 0, 2 };
+  room.Options.NumberOfLightSamples = 9;
+  room.Options.MaximumDepth = 0;
+  const int seeds = 300;
+  std::vector<double> sum(12), squares(12), claimed(12);
+  for (int seed = 0; seed < seeds; ++seed)
+  {
+    room.Options.Seed = static_cast<std::uint64_t>(seed);
+    const ScatteringImage image = room.Render(ScatteringMode::BruteForce);
+    for (std::size_t i = 0; i < 12; ++i)
+    {
+      const double value = image.InScattering[i];
+      sum[i] += value;
+      squares[i] += value * value;
+      claimed[i] += std::pow(image.RelativeError[i] * value, 2);
+    }
+  }
+  double trueVariance = 0.0;
+  double claimedVariance = 0.0;
+  for (std::size_t i = 0; i < 12; ++i)
+  {
+    trueVariance += squares[i] / seeds - std::pow(sum[i] / seeds, 2);
+    claimedVariance += claimed[i] / seeds;
+  }
+  const double ratio = std::sqrt(claimedVariance / trueVariance);
+  EXPECT_GT(ratio, 0.9);
+  EXPECT_LT(ratio, 1.3);
+  // One sample alone has no spread to show.
+  room.Options.NumberOfLightSamples = 1;
+  EXPECT_EQ(room.Render(ScatteringMode::BruteForce).RelativeError[0], -1.0f);
+}
+
+TEST(ScatteringImage, SeedsDifferAndRepeat)
+{
+  Room room;
+  const ScatteringImage first = room.Render(ScatteringMode::BruteForce);
+  ExpectSameBytes(first, room.Render(ScatteringMode::BruteForce));
+  room.Options.Seed = 2;
+  const ScatteringImage other = room.Render(ScatteringMode::BruteForce);
+  EXPECT_NE(first.InScattering, other.InScattering);
+  EXPECT_NEAR(Sum(first.InScattering) / Sum(other.InScattering), 1.0, 0.01);
+}
+
+TEST(ScatteringImage, HalvingFindsAThinShaft)
+{
+  // A slit 0.1 wide in a wide plate under the sun: a shaft that a coarse march meets by luck only.
+  const Box box{ { -1.0, -1.0, -2.0 }, { 1.0, 1.0, 2.0 } };
+  const Light sun = MakeLight(LightShape::Sun, {}, { 0.0, -1.0, 0.0 }, 0.0);
+  Triangles mesh;
+  mesh.AddQuad({ -2.0, 1.5, -3.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 3.02 });
+  mesh.AddQuad({ -2.0, 1.5, 0.32 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 3.0 });
+  ScatteringOptions options;
+  options.NumberOfLightSamples = 1;
+  options.NumberOfSteps = 20;
+  options.MaximumDepth = 0;
+  const Medium medium = MakeMedium(box, 0.01, 0.0);
+  const double expected = 0.01 / (4.0 * pi) * 0.3 * std::exp(-0.01 * (1.0 - 0.17 + 2.0 - 0.17));
+  const Camera camera = SinglePixel({ 0.0, 0.17, 5.0 });
+  const double coarse = RenderPixel(mesh, sun, medium, camera, options).InScattering[0];
+  options.MaximumDepth = 8;
+  const ScatteringImage fine = RenderPixel(mesh, sun, medium, camera, options);
+  EXPECT_GT(std::fabs(coarse / expected - 1.0), 0.05);
+  EXPECT_NEAR(fine.InScattering[0] / expected, 1.0, 0.01);
+  EXPECT_LT(fine.SampleCount[0], 21 + 2 * 8 + 8);
+}
+
+TEST(ScatteringImage, FarAwayAndTinyScenesLookTheSame)
+{
+  const Room room;
+  const ScatteringImage here = room.Render(ScatteringMode::BruteForce);
+  const auto moved = [&room](double scale, const Vector3& offset)
+  {
+    Room other = room;
+    for (std::size_t i = 0; i < other.Mesh.Points.size(); ++i)
+    {
+      other.Mesh.Points[i] = scale * other.Mesh.Points[i] + offset[static_cast<int>(i % 3)];
+    }
+    other.Lamp.Center = scale * other.Lamp.Center + offset;
+    other.Lamp.Radius *= scale;
+    other.Fog.Bounds = { scale * other.Fog.Bounds.Min + offset, scale * other.Fog.Bounds.Max + offset };
+    other.Fog.SigmaS[0] /= scale;
+    other.Fog.SigmaA[0] /= scale;
+    other.View.Position = scale * other.View.Position + offset;
+    return other.Render(ScatteringMode::BruteForce);
+  };
+  const double whole = Sum(here.Radiance);
+  EXPECT_NEAR(Sum(moved(1.0, { 1e6, -1e6, 1e6 }).Radiance) / whole, 1.0, 1e-3);
+  EXPECT_NEAR(Sum(moved(1e-3, {}).Radiance) / whole, 1.0, 1e-3);
+  EXPECT_NEAR(Sum(moved(1e4, {}).Radiance) / whole, 1.0, 1e-3);
+}
+
+TEST(ScatteringImage, ACameraInsideAClosedOccluderSeesDarkness)
+{
+  Triangles mesh;
+  const double s = 0.5;
+  mesh.AddQuad({ -s, -s, -s }, { 2 * s, 0, 0 }, { 0, 2 * s, 0 });
+  mesh.AddQuad({ -s, -s, s }, { 2 * s, 0, 0 }, { 0, 2 * s, 0 });
+  mesh.AddQuad({ -s, -s, -s }, { 0, 0, 2 * s }, { 0, 2 * s, 0 });
+  mesh.AddQuad({ s, -s, -s }, { 0, 0, 2 * s }, { 0, 2 * s, 0 });
+  mesh.AddQuad({ -s, -s, -s }, { 2 * s, 0, 0 }, { 0, 0, 2 * s });
+  mesh.AddQuad({ -s, s, -s }, { 2 * s, 0, 0 }, { 0, 0, 2 * s });
+  const Room room;
+  const ScatteringImage image = RenderPixel(mesh, room.Lamp, room.Fog, SinglePixel({ 0.1, 0.05, 0.0 }), {});
+  EXPECT_EQ(image.Radiance[0], 0.0f);
+  EXPECT_NEAR(image.Depth[0], 0.5f, 1e-5);
+}
+
+TEST(ScatteringImage, StopsWhereTheMonitorSaysSo)
+{
+  const Room room;
+  const OccluderScene scene(room.Mesh.View());
+  Monitor monitor;
+  double reported = 0.0;
+  monitor.Progress = [&reported](double share) { reported = share; };
+  ScatteringImage image;
+  EXPECT_TRUE(RenderScattering(scene, room.Lamp, room.Fog, room.View, nullptr, room.Options, monitor, image));
+  EXPECT_EQ(reported, 1.0);
+  monitor.Aborted = [] { return true; };
+  EXPECT_FALSE(RenderScattering(scene, room.Lamp, room.Fog, room.View, nullptr, room.Options, monitor, image));
+}

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scConeIntervals.h"
+
+#include "scConeTree.h"
+
+#include <algorithm>
+
+namespace shadowcones
+{
+namespace
+{
+
+/// The part of [tMin, tMax] in the slice of the cone between two heights; heights where the radius would be negative excluded.
+bool IntersectSlice(const Cone& cone, double tangent, double low, double high, const Vector3& origin,
+  const Vector3& direction, double tMin, double tMax, RayInterval& interval)
+{
+  const Vector3 start = origin - cone.Center;
+  const double startHeight = Dot(start, cone.Axis);
+  const double dh = Dot(direction, cone.Axis);
+
+  // Between the planes.
+  if (dh != 0.0)
+  {
+    const double a = (low - startHeight) / dh;
+    const double b = (high - startHeight) / dh;
+    tMin = std::max(tMin, std::min(a, b));
+    tMax = std::min(tMax, std::max(a, b));
+  }
+  else if (startHeight < low || startHeight > high)
+  {
+    return false;
+  }
+  if (!(tMin <= tMax))
+  {
+    return false;
+  }
+
+  // Roots are counted from the point nearest to the cone's centre: digits are lost with the square of a far origin.
+  const double nearest = -Dot(start, direction) / Dot(direction, direction);
+  const Vector3 offset = start + nearest * direction;
+  const double h = Dot(offset, cone.Axis);
+
+  // Inside the sheet: |lateral|^2 <= (r + h tan)^2, appendix A with the apex moved to where the radius is 0.
+  const Vector3 lateral = offset - h * cone.Axis;
+  const Vector3 dLateral = direction - dh * cone.Axis;
+  const double radius = cone.BaseRadius + h * tangent;
+  const double dRadius = dh * tangent;
+  const double a = Dot(dLateral, dLateral) - dRadius * dRadius;
+  const double b = Dot(lateral, dLateral) - radius * dRadius;
+  const double c = Dot(lateral, lateral) - radius * radius;
+  const double discriminant = b * b - a * c;
+  if (discriminant < 0.0)
+  {
+    if (a > 0.0)
+    {
+      return false;
+    }
+  }
+  else
+  {
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+    const double t0 = a != 0.0 ? q / a : std::copysign(HUGE_VAL, q);
+    const double t1 = q != 0.0 ? c / q : t0;
+    const double first = nearest + std::min(t0, t1);
+    const double second = nearest + std::max(t0, t1);
+    if (a > 0.0 || (a == 0.0 && b != 0.0))
+    {
+      // a == 0: one root at infinity; the inside lies towards decreasing quadratic.
+      const double from = a > 0.0 ? first : (b > 0.0 ? -HUGE_VAL : nearest - 0.5 * c / b);
+      const double to = a > 0.0 ? second : (b > 0.0 ? nearest - 0.5 * c / b : HUGE_VAL);
+      tMin = std::max(tMin, from);
+      tMax = std::min(tMax, to);
+    }
+    else if (a < 0.0)
+    {
+      // Outside the roots, on one sheet each; the planes leave room for one of them only.
+      if (tMin <= first)
+      {
+        tMax = std::min(tMax, first);
+      }
+      else
+      {
+        tMin = std::max(tMin, second);
+      }
+    }
+    else if (c > 0.0)
+    {
+      return false;
+    }
+  }
+  if (!(tMin <= tMax))
+  {
+    return false;
+  }
+  interval = { tMin, tMax, cone.OccluderId };
+  return true;
+}
+
+double TipHeight(const Cone& cone)
+{
+  return cone.HalfAngle < 0.0 ? cone.BaseRadius / std::tan(-cone.HalfAngle) : HUGE_VAL;
+}
+
+} // anonymous namespace
+
+bool ConeContains(const Cone& cone, const Vector3& point, double length)
+{
+  const Vector3 offset = point - cone.Center;
+  const double h = Dot(offset, cone.Axis);
+  const double radius = cone.BaseRadius + h * std::tan(cone.HalfAngle);
+  const Vector3 lateral = offset - h * cone.Axis;
+  return h >= 0.0 && h <= length && radius >= 0.0 && Dot(lateral, lateral) <= radius * radius;
+}
+
+bool IntersectCone(const Cone& cone, double length, const Vector3& origin, const Vector3& direction, double tMin,
+  double tMax, RayInterval& interval)
+{
+  const double high = std::min(length, TipHeight(cone));
+  return IntersectSlice(cone, std::tan(cone.HalfAngle), 0.0, high, origin, direction, tMin, tMax, interval);
+}
+
+void MergeIntervals(std::vector<RayInterval>& intervals, bool perOccluder)
+{
+  if (!perOccluder)
+  {
+    for (RayInterval& interval : intervals)
+    {
+      interval.OccluderId = -1;
+    }
+  }
+  std::sort(intervals.begin(), intervals.end(), [](const RayInterval& a, const RayInterval& b) {
+    return a.OccluderId != b.OccluderId ? a.OccluderId < b.OccluderId : a.Begin < b.Begin;
+  });
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < intervals.size(); ++i)
+  {
+    if (intervals[i].OccluderId == intervals[last].OccluderId && intervals[i].Begin <= intervals[last].End)
+    {
+      intervals[last].End = std::max(intervals[last].End, intervals[i].End);
+    }
+    else
+    {
+      intervals[++last] = intervals[i];
+    }
+  }
+  intervals.resize(intervals.empty() ? 0 : last + 1);
+  if (perOccluder)
+  {
+    std::stable_sort(intervals.begin(), intervals.end(),
+      [](const RayInterval& a, const RayInterval& b) { return a.Begin < b.Begin; });
+  }
+}
+
+struct ConeHierarchy::Implementation
+{
+  std::vector<Cone> Cones;
+  std::vector<double> Tangents;
+  Box Bounds;
+  ConeTree Tree;
+};
+
+ConeHierarchy::ConeHierarchy(const std::vector<Cone>& cones, const Box& bounds, double length)
+  : Impl(new Implementation{ cones, {}, bounds, ConeTree::OverSlices(cones, bounds, length) })
+{
+  for (const Cone& cone : cones)
+  {
+    this->Impl->Tangents.push_back(std::tan(cone.HalfAngle));
+  }
+}
+
+ConeHierarchy::~ConeHierarchy() = default;
+
+const std::vector<Cone>& ConeHierarchy::Cones() const
+{
+  return this->Impl->Cones;
+}
+
+void ConeHierarchy::Intersect(const Vector3& origin, const Vector3& direction, double tMin, double tMax,
+  std::vector<RayInterval>& intervals, bool perOccluder) const
+{
+  intervals.clear();
+  if (!this->Impl->Bounds.Clip(origin, direction, tMin, tMax))
+  {
+    return;
+  }
+  this->Impl->Tree.ForEachOnRay(origin, direction, tMin, tMax, [&](const ConeTree::Entry& entry) {
+    RayInterval interval;
+    if (IntersectSlice(this->Impl->Cones[entry.Cone], this->Impl->Tangents[entry.Cone], entry.Low, entry.High, origin,
+          direction, tMin, tMax, interval))
+    {
+      intervals.push_back(interval);
+    }
+  });
+  MergeIntervals(intervals, perOccluder);
+}
+
+bool ConeHierarchy::Contains(const Vector3& point) const
+{
+  bool inside = false;
+  if (!this->Impl->Bounds.Contains(point))
+  {
+    return false;
+  }
+  this->Impl->Tree.ForEachAtPoint(point, [&](const ConeTree::Entry& entry) {
+    const Cone& cone = this->Impl->Cones[entry.Cone];
+    inside = inside || ConeContains(cone, point, entry.High);
+  });
+  return inside;
+}
+
+} // namespace shadowcones

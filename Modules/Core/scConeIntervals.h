@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scConeIntervals.h
+ * @brief Where a ray runs inside cones (Hougs and Day, section 3.3.1 and appendix A), through a hierarchy (section 6.2).
+ */
+#ifndef scConeIntervals_h
+#define scConeIntervals_h
+
+#include "ShadowConesCoreModule.h"
+#include "scConeSet.h"
+#include "scVector3.h"
+
+#include <memory>
+#include <vector>
+
+namespace shadowcones
+{
+
+struct RayInterval
+{
+  double Begin = 0.0;
+  double End = 0.0;
+  int OccluderId = -1; ///< of the cone; -1 after merging over occluders
+};
+
+/// @return true where the cone, cut at @p length from its base, holds the point.
+SHADOWCONESCORE_EXPORT bool ConeContains(const Cone& cone, const Vector3& point, double length = HUGE_VAL);
+
+/**
+ * The part of [tMin, tMax] inside the cone, by the quadratic of appendix A for the truncated cone: base plane, only the sheet
+ * ahead of it, cut at @p length from the base. A convex body, hence one interval. @return false where there is none.
+ */
+SHADOWCONESCORE_EXPORT bool IntersectCone(const Cone& cone, double length, const Vector3& origin, const Vector3& direction,
+  double tMin, double tMax, RayInterval& interval);
+
+/// Sort intervals and merge those that touch; with @p perOccluder only within the same occluder.
+SHADOWCONESCORE_EXPORT void MergeIntervals(std::vector<RayInterval>& intervals, bool perOccluder = false);
+
+/// A bounding-volume hierarchy over cones inside a box: built once, queried often, from any number of threads.
+class SHADOWCONESCORE_EXPORT ConeHierarchy
+{
+public:
+  /// Cones are copied, cut at @p length from their base and to @p bounds; queries see nothing outside the bounds.
+  ConeHierarchy(const std::vector<Cone>& cones, const Box& bounds, double length = HUGE_VAL);
+  ~ConeHierarchy();
+  ConeHierarchy(const ConeHierarchy&) = delete;
+  ConeHierarchy& operator=(const ConeHierarchy&) = delete;
+
+  /// Merged intervals of the ray inside cones; @p intervals is overwritten, ascending.
+  void Intersect(const Vector3& origin, const Vector3& direction, double tMin, double tMax,
+    std::vector<RayInterval>& intervals, bool perOccluder = false) const;
+  /// Does any cone hold the point?
+  bool Contains(const Vector3& point) const;
+  const std::vector<Cone>& Cones() const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> Impl;
+};
+
+} // namespace shadowcones
+
+#endif

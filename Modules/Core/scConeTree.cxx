@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scConeTree.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace shadowcones
+{
+namespace
+{
+constexpr std::size_t leafSize = 4;
+/// Slices are at most this many times longer than wide, so that boxes fit slanted cones; at most this many a cone.
+constexpr double sliceAspect = 2.0;
+constexpr int largestNumberOfSlices = 16;
+
+double RadiusAt(const Cone& cone, double height)
+{
+  return std::max(0.0, cone.BaseRadius + height * std::tan(cone.HalfAngle));
+}
+
+void AddDisc(const Cone& cone, double height, Box& box)
+{
+  const Vector3 center = cone.Center + height * cone.Axis;
+  const double radius = RadiusAt(cone, height);
+  const Vector3 extent{ radius * std::sqrt(std::max(0.0, 1.0 - cone.Axis.X * cone.Axis.X)),
+    radius * std::sqrt(std::max(0.0, 1.0 - cone.Axis.Y * cone.Axis.Y)),
+    radius * std::sqrt(std::max(0.0, 1.0 - cone.Axis.Z * cone.Axis.Z)) };
+  box.Add(center - extent);
+  box.Add(center + extent);
+}
+
+/// Round-off must not cut a cone's skin from its box.
+void Grow(Box& box)
+{
+  const double size = std::max({ std::abs(box.Min.X), std::abs(box.Min.Y), std::abs(box.Min.Z), std::abs(box.Max.X),
+    std::abs(box.Max.Y), std::abs(box.Max.Z) });
+  const double margin = 1e-9 * box.Diagonal() + 8.0 * std::numeric_limits<double>::epsilon() * size;
+  box.Min = box.Min - Vector3{ margin, margin, margin };
+  box.Max = box.Max + Vector3{ margin, margin, margin };
+}
+
+bool Overlap(const Box& a, const Box& b)
+{
+  return a.Min.X <= b.Max.X && a.Max.X >= b.Min.X && a.Min.Y <= b.Max.Y && a.Max.Y >= b.Min.Y && a.Min.Z <= b.Max.Z &&
+    a.Max.Z >= b.Min.Z;
+}
+
+/// Height of the box's farthest corner above the cone's base.
+double HighestCorner(const Cone& cone, const Box& box)
+{
+  Vector3 corner;
+  corner.X = cone.Axis.X >= 0.0 ? box.Max.X : box.Min.X;
+  corner.Y = cone.Axis.Y >= 0.0 ? box.Max.Y : box.Min.Y;
+  corner.Z = cone.Axis.Z >= 0.0 ? box.Max.Z : box.Min.Z;
+  return Dot(corner - cone.Center, cone.Axis);
+}
+} // anonymous namespace
+
+ConeTree ConeTree::OverSlices(const std::vector<Cone>& cones, const Box& bounds, double length)
+{
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < cones.size(); ++i)
+  {
+    const Cone& cone = cones[i];
+    double end = std::min(length, HighestCorner(cone, bounds));
+    if (cone.HalfAngle < 0.0)
+    {
+      end = std::min(end, cone.BaseRadius / std::tan(-cone.HalfAngle));
+    }
+    if (!(end >= 0.0))
+    {
+      continue;
+    }
+    const double width = std::max(cone.BaseRadius, 0.5 * RadiusAt(cone, end));
+    const int slices = width > 0.0
+      ? static_cast<int>(std::clamp(std::ceil(end / (sliceAspect * width)), 1.0, double(largestNumberOfSlices)))
+      : largestNumberOfSlices;
+    for (int slice = 0; slice < slices; ++slice)
+    {
+      Entry entry;
+      entry.Cone = static_cast<int>(i);
+      entry.Low = end * slice / slices;
+      entry.High = end * (slice + 1) / slices;
+      AddDisc(cone, entry.Low, entry.Bounds);
+      AddDisc(cone, entry.High, entry.Bounds);
+      Grow(entry.Bounds);
+      if (Overlap(entry.Bounds, bounds))
+      {
+        entries.push_back(entry);
+      }
+    }
+  }
+  return ConeTree(std::move(entries));
+}
+
+ConeTree ConeTree::OverBases(const std::vector<Cone>& cones)
+{
+  std::vector<Entry> entries(cones.size());
+  for (std::size_t i = 0; i < cones.size(); ++i)
+  {
+    entries[i].Cone = static_cast<int>(i);
+    AddDisc(cones[i], 0.0, entries[i].Bounds);
+    Grow(entries[i].Bounds);
+  }
+  return ConeTree(std::move(entries));
+}
+
+ConeTree::ConeTree(std::vector<Entry> entries)
+  : Entries(std::move(entries))
+{
+  if (!this->Entries.empty())
+  {
+    this->Nodes.reserve(2 * this->Entries.size() / leafSize + 2);
+    this->BuildNode(0, this->Entries.size());
+  }
+}
+
+void ConeTree::BuildNode(std::size_t begin, std::size_t end)
+{
+  const std::size_t index = this->Nodes.size();
+  this->Nodes.emplace_back();
+  Box bounds;
+  Box centers;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    bounds.Add(this->Entries[i].Bounds);
+    centers.Add(this->Entries[i].Bounds.Center());
+  }
+  this->Nodes[index].Bounds = bounds;
+  if (end - begin <= leafSize)
+  {
+    this->Nodes[index].Right = static_cast<int>(begin);
+    this->Nodes[index].Count = static_cast<int>(end - begin);
+    return;
+  }
+
+  // Halve along the longest axis of the centres: balanced, hence a stack of 64 is deep enough.
+  const Vector3 size = centers.Size();
+  const int axis = size.X >= size.Y && size.X >= size.Z ? 0 : size.Y >= size.Z ? 1 : 2;
+  const std::size_t middle = begin + (end - begin) / 2;
+  std::nth_element(this->Entries.begin() + begin, this->Entries.begin() + middle, this->Entries.begin() + end,
+    [axis](const Entry& a, const Entry& b) {
+      const double ca = a.Bounds.Min[axis] + a.Bounds.Max[axis];
+      const double cb = b.Bounds.Min[axis] + b.Bounds.Max[axis];
+      return ca != cb ? ca < cb : a.Cone != b.Cone ? a.Cone < b.Cone : a.Low < b.Low;
+    });
+  this->BuildNode(begin, middle);
+  this->Nodes[index].Right = static_cast<int>(this->Nodes.size());
+  this->BuildNode(middle, end);
+}
+
+} // namespace shadowcones

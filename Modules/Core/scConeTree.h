@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scConeTree.h
+ * @brief A tree of boxes over slices of cones. Internal to Core.
+ */
+#ifndef scConeTree_h
+#define scConeTree_h
+
+#include "scConeSet.h"
+
+#include <vector>
+
+namespace shadowcones
+{
+
+class ConeTree
+{
+public:
+  /// A slice of a cone between two heights above its base.
+  struct Entry
+  {
+    int Cone = 0;
+    double Low = 0.0;
+    double High = 0.0;
+    Box Bounds;
+  };
+
+  /// Slices of the cones up to @p length from their base, within @p bounds.
+  static ConeTree OverSlices(const std::vector<Cone>& cones, const Box& bounds, double length);
+  /// The base discs alone.
+  static ConeTree OverBases(const std::vector<Cone>& cones);
+
+  /// Call visit(entry) for every entry whose box the ray meets in [tMin, tMax].
+  template <typename Visitor>
+  void ForEachOnRay(const Vector3& origin, const Vector3& direction, double tMin, double tMax, Visitor&& visit) const
+  {
+    const Vector3 inverse{ Inverse(direction.X), Inverse(direction.Y), Inverse(direction.Z) };
+    this->Traverse([&](const Box& box) { return MeetsRay(box, origin, inverse, tMin, tMax); }, visit);
+  }
+  /// Call visit(entry) for every entry whose box holds the point.
+  template <typename Visitor>
+  void ForEachAtPoint(const Vector3& point, Visitor&& visit) const
+  {
+    this->Traverse([&](const Box& box) { return box.Contains(point); }, visit);
+  }
+
+private:
+  struct Node
+  {
+    Box Bounds;
+    int Right = 0; ///< inner node: its right child, the left one follows it; leaf: first entry
+    int Count = 0; ///< leaf: number of entries; inner node: 0
+  };
+
+  explicit ConeTree(std::vector<Entry> entries);
+  void BuildNode(std::size_t begin, std::size_t end);
+
+  /// A finite stand-in for 1 / 0: no NaN where a ray runs in the face of a box.
+  static double Inverse(double x) { return x != 0.0 ? 1.0 / x : 1e300; }
+
+  static bool MeetsRay(const Box& box, const Vector3& origin, const Vector3& inverse, double tMin, double tMax)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double a = (box.Min[axis] - origin[axis]) * inverse[axis];
+      const double b = (box.Max[axis] - origin[axis]) * inverse[axis];
+      tMin = std::fmax(tMin, std::fmin(a, b));
+      tMax = std::fmin(tMax, std::fmax(a, b));
+    }
+    return tMin <= tMax;
+  }
+
+  template <typename Test, typename Visitor>
+  void Traverse(Test&& test, Visitor& visit) const
+  {
+    if (this->Nodes.empty())
+    {
+      return;
+    }
+    int stack[64];
+    int size = 0;
+    stack[size++] = 0;
+    while (size > 0)
+    {
+      const int index = stack[--size];
+      const Node& node = this->Nodes[index];
+      if (!test(node.Bounds))
+      {
+        continue;
+      }
+      if (node.Count == 0)
+      {
+        stack[size++] = node.Right;
+        stack[size++] = index + 1;
+        continue;
+      }
+      for (int i = node.Right; i < node.Right + node.Count; ++i)
+      {
+        if (test(this->Entries[i].Bounds))
+        {
+          visit(this->Entries[i]);
+        }
+      }
+    }
+  }
+
+  std::vector<Entry> Entries;
+  std::vector<Node> Nodes;
+};
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scExtinction.h
+ * @brief Wavelengths with one extinction coefficient share one march. Internal to Core.
+ */
+#ifndef scExtinction_h
+#define scExtinction_h
+
+#include "scMedium.h"
+
+#include <vector>
+
+namespace shadowcones
+{
+
+/// The wavelength samples of a light in a medium, grouped by sigma_t = sigma_s + sigma_a.
+struct ExtinctionGroups
+{
+  std::vector<double> SigmaT;     ///< per group
+  std::vector<double> MeanSource; ///< per group: sum of its wavelengths' sigma_s * L over the number of all wavelengths
+  std::vector<int> GroupOf;       ///< per wavelength
+  std::vector<double> Source;     ///< per wavelength: sigma_s * L
+
+  ExtinctionGroups(const std::vector<double>& spectrum, const Medium& medium)
+  {
+    const std::size_t count = spectrum.size();
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const double sigmaT = medium.SigmaS[k] + medium.SigmaA[k];
+      std::size_t group = 0;
+      while (group < this->SigmaT.size() && this->SigmaT[group] != sigmaT)
+      {
+        ++group;
+      }
+      if (group == this->SigmaT.size())
+      {
+        this->SigmaT.push_back(sigmaT);
+        this->MeanSource.push_back(0.0);
+      }
+      this->GroupOf.push_back(static_cast<int>(group));
+      this->Source.push_back(medium.SigmaS[k] * spectrum[k]);
+      this->MeanSource[group] += this->Source.back() / static_cast<double>(count);
+    }
+  }
+
+  int Count() const { return static_cast<int>(this->SigmaT.size()); }
+  /// False where no wavelength scatters any light.
+  bool Scatters() const
+  {
+    for (const double source : this->Source)
+    {
+      if (source > 0.0)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+} // namespace shadowcones
+
+#endif

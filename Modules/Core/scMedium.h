@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scMedium.h
+ * @brief A participating medium inside a box.
+ */
+#ifndef scMedium_h
+#define scMedium_h
+
+#include "ShadowConesCoreModule.h"
+#include "scPhaseFunction.h"
+#include "scVector3.h"
+
+#include <vector>
+
+namespace shadowcones
+{
+
+/// Homogeneous medium. SigmaS and SigmaA have one value per wavelength sample of the light, 1 / world unit, >= 0.
+struct Medium
+{
+  std::vector<double> SigmaS;
+  std::vector<double> SigmaA;
+  PhaseFunction Phase;
+  Box Bounds;
+};
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scNearestVectors.h
+ * @brief Nearest neighbours among points of which some die. Hides PCL. Internal to Core.
+ */
+#ifndef scNearestVectors_h
+#define scNearestVectors_h
+
+#include "scVector3.h"
+#include "vtkType.h"
+
+#include <memory>
+#include <vector>
+
+namespace shadowcones
+{
+
+/**
+ * A kd-tree over the living points. The dead are skipped by a query and dropped when they outnumber the living, so that
+ * rebuilding costs O(n log n) in all. Points are held in single precision in a centred, scaled frame.
+ */
+class NearestVectors
+{
+public:
+  /// @param points 3 doubles each, which must outlive this object.
+  NearestVectors(const double* points, vtkIdType count);
+  ~NearestVectors();
+
+  bool IsAlive(vtkIdType id) const { return this->Alive[id]; }
+  void Kill(vtkIdType id);
+  /// Rebuild where it pays. Not to be called beside Query.
+  void Prune();
+  /// The (at most) @p k living points nearest to point @p id, nearest first, itself included. Safe from many threads.
+  void Query(vtkIdType id, int k, std::vector<vtkIdType>& ids) const;
+
+private:
+  struct Tree;
+  void Build();
+
+  const double* Points;
+  Box Bounds;
+  std::vector<unsigned char> Alive;
+  std::vector<vtkIdType> TreeIds; ///< point of each entry of the tree
+  vtkIdType NumberAlive = 0;
+  std::unique_ptr<Tree> Index;
+};
+
+} // namespace shadowcones
+
+#endif

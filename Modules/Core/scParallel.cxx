@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scParallel.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace shadowcones
+{
+
+Monitor Monitor::Part(double from, double to) const
+{
+  Monitor part;
+  part.Aborted = this->Aborted;
+  if (this->Progress)
+  {
+    part.Progress = [from, to, whole = this->Progress](double share) { whole(from + (to - from) * share); };
+  }
+  return part;
+}
+
+bool Monitor::IsAborted() const
+{
+  return this->Aborted && this->Aborted();
+}
+
+bool ParallelFor(
+  vtkIdType count, const Monitor& monitor, const std::function<void(vtkIdType begin, vtkIdType end)>& body)
+{
+  using Clock = std::chrono::steady_clock;
+  constexpr double blockSeconds = 0.05;
+
+  vtkIdType block = std::min<vtkIdType>(count, 64);
+  for (vtkIdType begin = 0; begin < count;)
+  {
+    if (monitor.IsAborted())
+    {
+      return false;
+    }
+    const vtkIdType end = std::min(count, begin + block);
+    const auto start = Clock::now();
+    vtkSMPTools::For(begin, end, [&body](vtkIdType first, vtkIdType last) { body(first, last); });
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+
+    begin = end;
+    if (monitor.Progress)
+    {
+      monitor.Progress(static_cast<double>(begin) / static_cast<double>(count));
+    }
+    // The block size follows the clock, the results do not: the body sees its indices only.
+    const double factor = std::clamp(blockSeconds / std::max(seconds, 1e-6), 0.25, 4.0);
+    block = std::max<vtkIdType>(1, static_cast<vtkIdType>(static_cast<double>(block) * factor));
+  }
+  return !monitor.IsAborted();
+}
+
+} // namespace shadowcones

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scPhotonEmission.h"
+
+#include "scRandom.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace shadowcones
+{
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+/// Choose among weights with u, and leave in u what can be used again. @return -1 where all weights are 0.
+int ChooseAndReuse(const double (&weights)[6], double total, double& u)
+{
+  double target = u * total;
+  int last = -1;
+  for (int i = 0; i < 6; ++i)
+  {
+    if (weights[i] <= 0.0)
+    {
+      continue;
+    }
+    last = i;
+    if (target < weights[i])
+    {
+      u = target / weights[i];
+      return i;
+    }
+    target -= weights[i];
+  }
+  u = 0.5;
+  return last;
+}
+
+double Sum(const double (&weights)[6])
+{
+  return std::accumulate(std::begin(weights), std::end(weights), 0.0);
+}
+} // anonymous namespace
+
+PhotonEmission::PhotonEmission(const Light& light, const TriangleMeshView& mesh)
+  : Source(light)
+{
+  const auto count = static_cast<double>(std::max<std::size_t>(light.Spectrum.size(), 1));
+  this->MeanRadiance = std::accumulate(light.Spectrum.begin(), light.Spectrum.end(), 0.0) / count;
+  this->Area = LightArea(light);
+  this->IsPoint = !IsAtInfinity(light) && !(this->Area > 0.0);
+
+  this->Whole = MeshBounds(mesh).Diagonal();
+  for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
+  {
+    for (int corner = 0; corner < 3 && mesh.OccluderId(t) >= 0; ++corner)
+    {
+      this->Target.Add(mesh.Corner(t, corner));
+    }
+  }
+  if (this->Target.Empty())
+  {
+    return;
+  }
+  // A margin keeps flat occluders from being aimed at edge on.
+  const double margin = 1e-4 * this->Target.Diagonal();
+  this->Target.Min = this->Target.Min - Vector3{ margin, margin, margin };
+  this->Target.Max = this->Target.Max + Vector3{ margin, margin, margin };
+
+  const Vector3 half = 0.5 * this->Target.Size();
+  const Vector3 axes[3] = { { half.X, 0.0, 0.0 }, { 0.0, half.Y, 0.0 }, { 0.0, 0.0, half.Z } };
+  for (int i = 0; i < 6; ++i)
+  {
+    const int axis = i / 2;
+    const double sign = i % 2 ? 1.0 : -1.0;
+    Light& face = this->Faces[i];
+    face.Shape = LightShape::Rectangle;
+    face.Center = this->Target.Center() + sign * axes[axis];
+    face.Normal = Normalized(sign * axes[axis]);
+    face.AxisU = axes[(axis + 1) % 3];
+    face.AxisV = axes[(axis + 2) % 3];
+  }
+}
+
+EmittedPhoton PhotonEmission::Emit(std::uint64_t seed, vtkIdType index) const
+{
+  const auto point = SobolPoint(seed, static_cast<std::uint32_t>(index));
+  double u[4] = { point[0], point[1], point[2], point[3] };
+  if (this->Target.Empty())
+  {
+    return {};
+  }
+  if (IsAtInfinity(this->Source))
+  {
+    return this->EmitFromSun(u);
+  }
+
+  const LightSurfaceSample start = SampleLightArea(this->Source, u[0], u[1]);
+  if (this->Target.Contains(start.Position))
+  {
+    return this->EmitOverHemisphere(start, u[2], u[3]);
+  }
+  double angles[6];
+  for (int i = 0; i < 6; ++i)
+  {
+    angles[i] = LightSolidAngle(this->Faces[i], start.Position);
+  }
+  EmittedPhoton photon;
+  photon.Origin = start.Position;
+  photon.SolidAngle = Sum(angles);
+  const int face = ChooseAndReuse(angles, photon.SolidAngle, u[2]);
+  if (face < 0)
+  {
+    return photon;
+  }
+  photon.Direction = SampleLightSolidAngle(this->Faces[face], start.Position, u[2], u[3]).Direction;
+  const double emitted = this->IsPoint ? 1.0 : std::max(0.0, Dot(photon.Direction, start.Normal));
+  photon.Power = this->MeanRadiance * emitted * photon.SolidAngle / start.Density;
+  return photon;
+}
+
+EmittedPhoton PhotonEmission::EmitFromSun(const double (&u)[4]) const
+{
+  // The Sun's "position" is the direction towards the sampled point of its face.
+  const Vector3 towards = SampleLightArea(this->Source, u[0], u[1]).Position;
+  EmittedPhoton photon;
+  photon.Direction = -towards;
+  photon.SolidAngle = 4.0 * pi * std::pow(std::sin(0.5 * this->Source.Radius), 2);
+
+  double shadows[6]; // areas of the faces that are lit, projected along the light
+  for (int i = 0; i < 6; ++i)
+  {
+    const Light& face = this->Faces[i];
+    shadows[i] = 4.0 * Length(face.AxisU) * Length(face.AxisV) * std::max(0.0, Dot(face.Normal, towards));
+  }
+  const double total = Sum(shadows);
+  double along = u[2];
+  const int face = ChooseAndReuse(shadows, total, along);
+  if (face < 0)
+  {
+    return photon;
+  }
+  const Vector3 entry = SampleLightArea(this->Faces[face], along, u[3]).Position;
+  photon.Origin = entry + std::max(this->Whole, this->Target.Diagonal()) * towards;
+  photon.Power = this->MeanRadiance * total;
+  return photon;
+}
+
+EmittedPhoton PhotonEmission::EmitOverHemisphere(const LightSurfaceSample& start, double u, double v) const
+{
+  EmittedPhoton photon;
+  photon.Origin = start.Position;
+  const double azimuth = 2.0 * pi * v;
+  if (this->IsPoint)
+  {
+    const double z = 1.0 - 2.0 * u;
+    const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
+    photon.Direction = { r * std::cos(azimuth), r * std::sin(azimuth), z };
+    photon.SolidAngle = 4.0 * pi;
+    photon.Power = this->MeanRadiance * photon.SolidAngle / start.Density;
+    return photon;
+  }
+  // Directions in proportion to the cosine: every photon carries the same flux.
+  const Frame frame = FrameAround(start.Normal);
+  const double r = std::sqrt(u);
+  photon.Direction = Normalized(r * std::cos(azimuth) * frame.U + r * std::sin(azimuth) * frame.V +
+    std::sqrt(std::max(0.0, 1.0 - u)) * start.Normal);
+  photon.SolidAngle = 2.0 * pi;
+  photon.Power = this->MeanRadiance * pi / start.Density;
+  return photon;
+}
+
+} // namespace shadowcones

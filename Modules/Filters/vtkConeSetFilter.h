@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkConeSetFilter
+ * @brief Group shadow vectors into truncated cones that bound or approximate the soft shadow in space.
+ *
+ * Hougs and Day, "Piecewise Constant Conic Sections for Accelerated Volume Density Rendering", section 3.2. Seeds are taken in
+ * index order. The nearest living vectors of a seed are projected along their mean direction onto the plane fitted to them;
+ * going outward, rings of PointsPerRing vectors are accepted until the counts in their sectors vary too much or they leave the
+ * plane. The vectors inside are covered and make a cone; seeds that make none are discarded. Nothing is known of the geometry.
+ * Results are the same bytes for any number of threads; the pieces of a piece request are ranges of cones (output 0) and of
+ * vectors (output 1). Cost is one nearest-neighbour query a seed, near-linear in the number of vectors.
+ *
+ * Input port 0: vtkPolyData, shadow vectors of vtkShadowVectorFilter or of another tracer. Point data: "Direction" (3, unit)
+ * is required; "EmissionPoint" (3) is required where the field data does not carry the light's exact shape; "OccluderId" (int)
+ * is optional. Input port 1, optional: photon paths with point data "PathState" (0 lit, 1 blocked), "EmissionPoint",
+ * "Direction"; Overspill is measured on them.
+ *
+ * Output port 0, the cone set: one vertex per cone at the centre of its base. A cone holds the points whose height h above the
+ * base along Axis is 0 or more and whose distance from the axis is at most BaseRadius + h tan(HalfAngle). Point data: "Axis"
+ * (float 3, unit, away from the light), "BaseRadius" (float, world units), "HalfAngle" (float, radians; negative: converging),
+ * "InnerHalfAngle" (float, radians; the umbra of the base disc; negative: it contracts), "Normal" (float 3, unit, of the fitted
+ * plane on the side of Axis), "OccluderId" (int, of most of its vectors), "VectorCount" (int), "Planarity" (float, rms distance
+ * of its vectors from the plane over BaseRadius), "Overspill" (float 0..1, share of lit photon paths among those through the
+ * base disc; -1 without photon paths). Field data: every parameter by its name, "Seed" (of the vectors), "NumberOfVectors",
+ * "NumberOfCones", "NumberOfDiscarded" (id), "DiscardedFraction" (double), and the light's exact shape where the vectors
+ * carry it.
+ *
+ * Output port 1: the shadow vectors with all their arrays and point data "ConeId" (id, first cone that holds the vector in its
+ * base; -1 where discarded).
+ *
+ * @warning With ExpansionFraction 1 the cones are bounds: taken as the shadow itself they darken far too much. See
+ * Documentation/limitations.md.
+ * @sa vtkShadowVectorFilter vtkConeSetGeometry vtkScatteringImageFilter
+ */
+#ifndef vtkConeSetFilter_h
+#define vtkConeSetFilter_h
+
+#include "ShadowConesFiltersModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class vtkFieldData;
+
+class SHADOWCONESFILTERS_EXPORT vtkConeSetFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkConeSetFilter* New();
+  vtkTypeMacro(vtkConeSetFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// Photon paths, input port 1. Optional.
+  void SetPhotonPathConnection(vtkAlgorithmOutput* paths);
+  void SetPhotonPathData(vtkDataObject* paths);
+  ///@}
+
+  enum TuningType
+  {
+    MANUAL = 0
+  };
+  ///@{
+  /// How the parameters below are chosen. Manual: as they are set. Default Manual.
+  vtkSetClampMacro(Tuning, int, MANUAL, MANUAL);
+  vtkGetMacro(Tuning, int);
+  void SetTuningToManual() { this->SetTuning(MANUAL); }
+  ///@}
+
+  ///@{
+  /// p1: nearest vectors that a cone is built from, at least 3 and at least MinimumVectorsPerCone. Default 100.
+  vtkSetMacro(NumberOfNeighbors, int);
+  vtkGetMacro(NumberOfNeighbors, int);
+  ///@}
+
+  ///@{
+  /// p2: angular bins around the seed, at least 1. Default 20.
+  vtkSetMacro(NumberOfSectors, int);
+  vtkGetMacro(NumberOfSectors, int);
+  ///@}
+
+  ///@{
+  /// p3: vectors in each ring, at least 1. Default 16.
+  vtkSetMacro(PointsPerRing, int);
+  vtkGetMacro(PointsPerRing, int);
+  ///@}
+
+  ///@{
+  /// p4: fewer vectors make no cone, at least 1. Default 20.
+  vtkSetMacro(MinimumVectorsPerCone, int);
+  vtkGetMacro(MinimumVectorsPerCone, int);
+  ///@}
+
+  ///@{
+  /// Largest variance over mean of a ring's sector counts, 0 or more. About 1 is even; 1.25 is strict, 1.6 to 2 covers more.
+  /// Default 1.6.
+  vtkSetMacro(VarianceThreshold, double);
+  vtkGetMacro(VarianceThreshold, double);
+  ///@}
+
+  ///@{
+  /// Largest rms distance of a ring's vectors from the plane over the ring's radius (section 3.2.3); 0: no test. A test makes fewer
+  /// and flatter cones and costs recall where thin parts lie behind one another. Default 0.
+  vtkSetMacro(PlanarityThreshold, double);
+  vtkGetMacro(PlanarityThreshold, double);
+  ///@}
+
+  ///@{
+  /// Multiply the base radius by the cosine between plane normal and axis (figure 5). Off for bounds. Default on.
+  vtkSetMacro(CosineCorrection, bool);
+  vtkGetMacro(CosineCorrection, bool);
+  vtkBooleanMacro(CosineCorrection, bool);
+  ///@}
+
+  enum ExpansionType
+  {
+    MAXIMUM_DEVIATION = 0,
+    RADIUS_RATIO = 1,
+    LIGHT_GEOMETRY = 2
+  };
+  ///@{
+  /// What the half angle comes from. MaximumDeviation: the largest angle between a vector and their mean (section 3.2.2).
+  /// RadiusRatio: the disc of the vectors' ends over the base; finds converging sets. LightGeometry: the outer penumbra cone of
+  /// the base disc under the light, which needs no sampling. Default MaximumDeviation.
+  vtkSetMacro(Expansion, int);
+  vtkGetMacro(Expansion, int);
+  void SetExpansionToMaximumDeviation() { this->SetExpansion(MAXIMUM_DEVIATION); }
+  void SetExpansionToRadiusRatio() { this->SetExpansion(RADIUS_RATIO); }
+  void SetExpansionToLightGeometry() { this->SetExpansion(LIGHT_GEOMETRY); }
+  ///@}
+
+  ///@{
+  /// HalfAngle is this share of the angle found, 0..1 (section 3.3.1). Default 1.
+  vtkSetMacro(ExpansionFraction, double);
+  vtkGetMacro(ExpansionFraction, double);
+  ///@}
+
+  ///@{
+  /// On: neighbours come from all vectors and covered ones only stop being seeds, so that cones overlap: better bounds. Off:
+  /// covered vectors leave the set, as in the paper. Default off.
+  vtkSetMacro(Overlap, bool);
+  vtkGetMacro(Overlap, bool);
+  vtkBooleanMacro(Overlap, bool);
+  ///@}
+
+protected:
+  vtkConeSetFilter();
+  ~vtkConeSetFilter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  void AddParameters(vtkFieldData* data) const;
+
+  vtkConeSetFilter(const vtkConeSetFilter&) = delete;
+  void operator=(const vtkConeSetFilter&) = delete;
+
+  int Tuning = MANUAL;
+  int NumberOfNeighbors = 100;
+  int NumberOfSectors = 20;
+  int PointsPerRing = 16;
+  int MinimumVectorsPerCone = 20;
+  double VarianceThreshold = 1.6;
+  double PlanarityThreshold = 0.0;
+  bool CosineCorrection = true;
+  int Expansion = MAXIMUM_DEVIATION;
+  double ExpansionFraction = 1.0;
+  bool Overlap = false;
+};
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkShadowVectorFilter
+ * @brief Shadow vectors: where light that an occluder stopped would have gone on.
+ *
+ * Photons leave the light, stratified over its area and over the directions in which the occluders' bounds are seen. Where an
+ * occluder stops one, a shadow vector is stored: by default on the occluder's back side, with the photon's direction (Hougs
+ * and Day, "Piecewise Constant Conic Sections for Accelerated Volume Density Rendering", section 3.1). Every later occluder
+ * along the path stores one too. Photon i is a pure function of (Seed, i): results are the same bytes for any number of
+ * threads, and the pieces of a piece request are ranges of photons whose union is the whole.
+ *
+ * Input port 0: vtkPolyData of triangles with cell array "OccluderId" (int), as vtkLabelOccluders writes it. Cells whose id is
+ * negative are receivers: they end a path and take shadow photons, but store no vectors. Input port 1: the light, from
+ * vtkAreaLightSource, or any polygon mesh, which then emits from every face along its normal.
+ *
+ * Output port 0, shadow vectors, one vertex each (points in double precision). Point data: "Direction" (float 3, unit, away
+ * from the light), "Normal" (float 3, unit; BackSide: outward where the light would come out; HitPoint: where it goes in),
+ * "OccluderId" (int), "EmissionPoint" (double 3; Sun: a point towards it, beyond the occluders), "PathLength" (float, world
+ * units, emission point to the vector's point), "Thickness" (float, world units, entry to exit; 0 for open sheets),
+ * "PhotonIndex" (id).
+ *
+ * Output port 1, photon paths, one vertex each at the path's first hit (lit paths: at the receiver, or where they leave the
+ * bounds). Point data: "PathState" (int: 0 lit, 1 blocked), "OccluderId" (int, of the first hit; -1 where lit),
+ * "EmissionPoint" (double 3), "Direction" (float 3), "Power" (float, W, mean over the wavelength samples: the surface photon
+ * map), "PhotonIndex" (id).
+ *
+ * Output port 2, shadow photons (Jensen and Christensen 1995), one vertex each on the next surface behind the first occluder.
+ * Point data: "Normal" (float 3, of that surface), "Direction" (float 3), "Power" (float, W, negative: the flux that is
+ * missing), "OccluderId" (int, of the caster), "ReceiverId" (int, occluder id of the surface), "PhotonIndex" (id).
+ *
+ * Field data of all outputs: "NumberOfPhotons" (id, emitted in all), "MeanSolidAngle" (double, sr, into which they were aimed),
+ * "Seed", "Storage" (int), and the light's exact shape ("LightShape" and its companions) where it has one.
+ *
+ * @warning Memory is about 250 bytes a photon while tracing.
+ * @sa vtkAreaLightSource vtkLabelOccluders vtkConeSetFilter
+ */
+#ifndef vtkShadowVectorFilter_h
+#define vtkShadowVectorFilter_h
+
+#include "ShadowConesFiltersModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class SHADOWCONESFILTERS_EXPORT vtkShadowVectorFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkShadowVectorFilter* New();
+  vtkTypeMacro(vtkShadowVectorFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// The light, input port 1. Required.
+  void SetLightConnection(vtkAlgorithmOutput* light);
+  void SetLightData(vtkDataObject* light);
+  ///@}
+
+  ///@{
+  /// Photons to emit, 0 or more; used where TargetNumberOfVectors is 0. Default 40000.
+  vtkSetMacro(NumberOfPhotons, vtkIdType);
+  vtkGetMacro(NumberOfPhotons, vtkIdType);
+  ///@}
+
+  ///@{
+  /// Emit photons until so many vectors are stored (the last photon may store a few more); 0: emit NumberOfPhotons.
+  /// Gives up, with a warning, after 1000 photons a vector. Default 0.
+  vtkSetMacro(TargetNumberOfVectors, vtkIdType);
+  vtkGetMacro(TargetNumberOfVectors, vtkIdType);
+  ///@}
+
+  enum StorageType
+  {
+    BACK_SIDE = 0,
+    HIT_POINT = 1
+  };
+  ///@{
+  /// Where a vector is stored. BackSide: at the exit of the solid that was entered, at the hit itself where the occluder is an
+  /// open sheet (the paper's choice). HitPoint: where the path first meets the occluder, so that cones bound the shadow inside
+  /// the occluder too. Default BackSide.
+  vtkSetMacro(Storage, int);
+  vtkGetMacro(Storage, int);
+  void SetStorageToBackSide() { this->SetStorage(BACK_SIDE); }
+  void SetStorageToHitPoint() { this->SetStorage(HIT_POINT); }
+  ///@}
+
+  ///@{
+  /// Any integer: chooses the photons. Default 1.
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+protected:
+  vtkShadowVectorFilter();
+  ~vtkShadowVectorFilter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkShadowVectorFilter(const vtkShadowVectorFilter&) = delete;
+  void operator=(const vtkShadowVectorFilter&) = delete;
+
+  vtkIdType NumberOfPhotons = 40000;
+  vtkIdType TargetNumberOfVectors = 0;
+  int Storage = BACK_SIDE;
+  int Seed = 1;
+};
+
+#endif

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkScatteringImageFilter
+ * @brief The light shafts that a camera sees in a participating medium lit by an area light.
+ *
+ * Every pixel's ray is marched through the part of a homogeneous medium that lies before the first surface: single
+ * scattering of the light's radiance towards the camera, attenuated on both legs, over fresh stratified points of the light
+ * at every march sample. Intervals of the march are halved where the intensity differs too much between their ends. A cone
+ * set tells where shadows are, and the three modes use it as Hougs and Day do ("Piecewise Constant Conic Sections for
+ * Accelerated Volume Density Rendering", section 4.3):
+ *
+ * - BruteForce: occlusion rays from every march sample. Needs no cones.
+ * - Medium: the same samples, occlusion rays only inside the cones. Where the cones bound the shadow the image has the very
+ *   bytes of BruteForce; where they do not, light leaks into it.
+ * - Fast: no occlusion ray at all; lit outside the cones, dark inside. Cones of full angle darken far too much: see
+ *   vtkConeSetFilter's ExpansionFraction. Surfaces are dark inside the cones of *other* occluders than their own.
+ *
+ * Surfaces are diffuse and alike on both sides, lit directly by the light; BruteForce and Medium trace their shadows with
+ * rays. There is no multiple scattering and no light from surface to surface.
+ *
+ * Input ports:
+ * - 0, vtkPolyData: the mesh that casts and receives shadows; polygons and strips. Cell data "OccluderId" (int, 1
+ *   component, optional), "Reflectance" (1 component or one a wavelength sample, 0..1, optional). It may be empty: the image
+ *   then shows the medium without shadows.
+ * - 1, vtkPolyData: the light, from vtkAreaLightSource or any mesh of polygons, which emit along their normals.
+ * - 2, vtkPolyData, optional: the cone set of vtkConeSetFilter. Needed by Medium and Fast.
+ *
+ * Output port 0, vtkImageData of Resolution[0] x Resolution[1] x 1 points; point (i, j) is a pixel, j upwards. Point data:
+ * - "Radiance" (float, one component a wavelength sample, W m^-2 sr^-1): InScattering + SurfaceRadiance + the light itself.
+ * - "InScattering" (float, one component a wavelength sample): the medium term alone.
+ * - "SurfaceRadiance" (float, one component a wavelength sample): of the first surface, as seen through the medium.
+ * - "Transmittance" (float, one component a wavelength sample, 0..1): of the medium to the first surface, or all through it.
+ * - "Depth" (float, world units): along the ray to the first surface; -1 where there is none.
+ * - "RelativeError" (float): one standard error of InScattering over its value, mean over wavelengths, from the differences
+ *   between light samples; the steps of the march are not in it. 0 where nothing scatters, -1 with one light sample.
+ * - "SampleCount" (int): light samples taken for the medium term.
+ * - "RGB" (unsigned char, 3 components, the active scalars): Radiance times Exposure as sRGB; equal energy is white.
+ *
+ * Field data: "Mode" (int), "Seed" (int), "NumberOfOcclusionRays" (vtkIdType; of this extent), "RenderSeconds" (double; the
+ * one array that differs from run to run), "CameraPosition", "CameraFocalPoint", "CameraViewUp" (double, 3 components),
+ * "CameraViewAngle" (double, degrees), "CameraParallelProjection" (int), "CameraParallelScale" (double), "SigmaS", "SigmaA"
+ * (double, one component a wavelength sample), "MediumBounds" (double, 6 components).
+ *
+ * The bytes are the same for any number of threads and for any division into extents.
+ *
+ * @warning The march has a finite step: light near a lamp inside the medium, and shafts thinner than the medium's length
+ * over NumberOfSteps 2^MaximumDepth, want more steps. Near and far clipping planes, window centre, view shear and lens
+ * parameters of the camera are not used.
+ *
+ * @sa vtkConeSetFilter vtkAreaLightSource vtkLabelOccluders
+ */
+#ifndef vtkScatteringImageFilter_h
+#define vtkScatteringImageFilter_h
+
+#include "ShadowConesImagingModule.h" // For export macro
+#include "vtkImageAlgorithm.h"
+
+#include <vector> // For the spectra
+
+class vtkAlgorithmOutput;
+class vtkCamera;
+
+class SHADOWCONESIMAGING_EXPORT vtkScatteringImageFilter : public vtkImageAlgorithm
+{
+public:
+  static vtkScatteringImageFilter* New();
+  vtkTypeMacro(vtkScatteringImageFilter, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ModeType
+  {
+    BruteForce = 0,
+    Medium = 1,
+    Fast = 2
+  };
+
+  enum PhaseFunctionType
+  {
+    Isotropic = 0,
+    BlasiSchlick = 1,
+    HenyeyGreenstein = 2,
+    Rayleigh = 3
+  };
+
+  ///@{
+  /**
+   * The light, input port 1. Required.
+   */
+  void SetLightConnection(vtkAlgorithmOutput* light);
+  void SetLightData(vtkDataObject* light);
+  ///@}
+
+  ///@{
+  /**
+   * The cone set, input port 2. Required by Medium and Fast, not used by BruteForce.
+   */
+  void SetConeSetConnection(vtkAlgorithmOutput* cones);
+  void SetConeSetData(vtkDataObject* cones);
+  ///@}
+
+  ///@{
+  /**
+   * The camera: position, focal point, view up, view angle (vertical, or horizontal where the camera says so) and parallel
+   * projection with its scale. Its changes re-run the filter. Default: none, which looks along -z at the sphere around the
+   * mesh's bounds (without a mesh: the medium's) with a view angle of 30 degrees.
+   */
+  virtual void SetCamera(vtkCamera* camera);
+  vtkGetObjectMacro(Camera, vtkCamera);
+  ///@}
+
+  ///@{
+  /**
+   * Width and height of the image in pixels. The aspect ratio follows from them. Default: 256, 256. Valid: at least 1.
+   */
+  vtkSetVector2Macro(Resolution, int);
+  vtkGetVector2Macro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * What occlusion is taken from, as described above. Default: BruteForce.
+   */
+  vtkSetMacro(Mode, int);
+  vtkGetMacro(Mode, int);
+  void SetModeToBruteForce() { this->SetMode(BruteForce); }
+  void SetModeToMedium() { this->SetMode(Medium); }
+  void SetModeToFast() { this->SetMode(Fast); }
+  ///@}
+
+  ///@{
+  /**
+   * Scattering coefficient of the medium, 1 / world unit. SetSigmaS() sets every wavelength; SetSigmaSSpectrum() then sets
+   * the sample with an index from 0, the others keep SigmaS. Default: 0.1. Valid: 0 and above.
+   */
+  virtual void SetSigmaS(double sigmaS);
+  vtkGetMacro(SigmaS, double);
+  virtual void SetSigmaSSpectrum(int index, double sigmaS);
+  double GetSigmaSSpectrum(int index) const;
+  ///@}
+
+  ///@{
+  /**
+   * Absorption coefficient of the medium, 1 / world unit, set as SigmaS is. Default: 0. Valid: 0 and above.
+   */
+  virtual void SetSigmaA(double sigmaA);
+  vtkGetMacro(SigmaA, double);
+  virtual void SetSigmaASpectrum(int index, double sigmaA);
+  double GetSigmaASpectrum(int index) const;
+  ///@}
+
+  ///@{
+  /**
+   * Into which directions the medium scatters. Default: Isotropic. BlasiSchlick takes PhaseLobes, HenyeyGreenstein takes
+   * PhaseAsymmetry.
+   */
+  vtkSetMacro(PhaseFunction, int);
+  vtkGetMacro(PhaseFunction, int);
+  void SetPhaseFunctionToIsotropic() { this->SetPhaseFunction(Isotropic); }
+  void SetPhaseFunctionToBlasiSchlick() { this->SetPhaseFunction(BlasiSchlick); }
+  void SetPhaseFunctionToHenyeyGreenstein() { this->SetPhaseFunction(HenyeyGreenstein); }
+  void SetPhaseFunctionToRayleigh() { this->SetPhaseFunction(Rayleigh); }
+  ///@}
+
+  ///@{
+  /**
+   * The two lobes of BlasiSchlick: weight w of the first, and their k1 and k2: w S(k1) + (1 - w) S(k2). A weight of 1 is one
+   * lobe alone. Default: 0.5, 0.46, -0.46, the Rayleigh preset. Valid: weight 0..1, k between -1 and 1, positive forward.
+   */
+  vtkSetVector3Macro(PhaseLobes, double);
+  vtkGetVector3Macro(PhaseLobes, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set PhaseFunction to BlasiSchlick with named lobes (Blasi, Le Saec and Schlick 1993): Rayleigh (0.5, 0.46, -0.46; within
+   * 5.2 % of Rayleigh), HazyMie (0.12, -0.50, 0.70) and MurkyMie (0.19, -0.65, 0.91).
+   */
+  void SetPhasePresetToRayleigh();
+  void SetPhasePresetToHazyMie();
+  void SetPhasePresetToMurkyMie();
+  ///@}
+
+  ///@{
+  /**
+   * Asymmetry g of HenyeyGreenstein: the mean cosine. Default: 0. Valid: between -1 and 1, positive forward.
+   */
+  vtkSetMacro(PhaseAsymmetry, double);
+  vtkGetMacro(PhaseAsymmetry, double);
+  ///@}
+
+  ///@{
+  /**
+   * The box that the medium fills, world units: x from, to, y from, to, z from, to. Default: 1, -1, 1, -1, 1, -1, which
+   * stands for the joint bounds of mesh and light (without a Sun), each side enlarged by 10 % about the centre; a flat side
+   * becomes 10 % of the diagonal. Valid: from at most to.
+   */
+  vtkSetVector6Macro(MediumBounds, double);
+  vtkGetVector6Macro(MediumBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Equal intervals of the march along the part of a ray that lies in the medium. Default: 32. Valid: 1 to 1,000,000.
+   */
+  vtkSetMacro(NumberOfSteps, int);
+  vtkGetMacro(NumberOfSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Times that an interval of the march may be halved. Default: 3. Valid: 0..16.
+   */
+  vtkSetMacro(MaximumDepth, int);
+  vtkGetMacro(MaximumDepth, int);
+  ///@}
+
+  ///@{
+  /**
+   * An interval is halved where the intensities at its ends differ by more than this share of the largest intensity at the
+   * ray's NumberOfSteps + 1 nodes. Default: 0.1. Valid: 0 and above.
+   */
+  vtkSetMacro(IntensityThreshold, double);
+  vtkGetMacro(IntensityThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Fresh stratified light points at every march sample. Default: 16. Valid: at least 1.
+   */
+  vtkSetMacro(NumberOfLightSamples, int);
+  vtkGetMacro(NumberOfLightSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Stratified light points for a surface. Default: 16. Valid: 0 and above; 0 makes surfaces black.
+   */
+  vtkSetMacro(NumberOfSurfaceLightSamples, int);
+  vtkGetMacro(NumberOfSurfaceLightSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * The camera sees the light itself, with its exact shape, added to Radiance; it hides nothing. Default: on.
+   */
+  vtkSetMacro(LightVisible, vtkTypeBool);
+  vtkGetMacro(LightVisible, vtkTypeBool);
+  vtkBooleanMacro(LightVisible, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Diffuse reflectance of surfaces where the mesh has no cell array "Reflectance". Default: 0.5. Valid: 0..1.
+   */
+  vtkSetMacro(Reflectance, double);
+  vtkGetMacro(Reflectance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Cones count up to this distance from their base only, world units (section 5 of the paper). Default: 0, not cut.
+   * Valid: 0 and above.
+   */
+  vtkSetMacro(ConeLength, double);
+  vtkGetMacro(ConeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * "RGB" shows Radiance times this; 1 after that is white. Default: 1. Valid: above 0.
+   */
+  vtkSetMacro(Exposure, double);
+  vtkGetMacro(Exposure, double);
+  ///@}
+
+  ///@{
+  /**
+   * Seed of the random numbers. Default: 1. Valid: any.
+   */
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  /**
+   * The later of the filter's and the camera's time of change.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkScatteringImageFilter();
+  ~vtkScatteringImageFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkScatteringImageFilter(const vtkScatteringImageFilter&) = delete;
+  void operator=(const vtkScatteringImageFilter&) = delete;
+
+  struct Scene; // what RequestData hands to Core
+
+  bool CheckParameters();
+  bool ReadInputs(vtkInformationVector** inputs, Scene& scene);
+  bool ReadReflectance(vtkInformationVector** inputs, Scene& scene);
+  bool ReadMedium(vtkInformationVector** inputs, Scene& scene);
+  bool ReadCamera(Scene& scene);
+  void WriteOutput(const Scene& scene, double seconds, const int extent[6], vtkImageData* output);
+
+  vtkCamera* Camera = nullptr;
+  int Resolution[2] = { 256, 256 };
+  int Mode = BruteForce;
+  double SigmaS = 0.1;
+  double SigmaA = 0.0;
+  std::vector<double> SigmaSSpectrum; // NaN where SigmaS counts
+  std::vector<double> SigmaASpectrum; // NaN where SigmaA counts
+  int PhaseFunction = Isotropic;
+  double PhaseLobes[3] = { 0.5, 0.46, -0.46 };
+  double PhaseAsymmetry = 0.0;
+  double MediumBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  int NumberOfSteps = 32;
+  int MaximumDepth = 3;
+  double IntensityThreshold = 0.1;
+  int NumberOfLightSamples = 16;
+  int NumberOfSurfaceLightSamples = 16;
+  vtkTypeBool LightVisible = true;
+  double Reflectance = 0.5;
+  double ConeLength = 0.0;
+  double Exposure = 1.0;
+  int Seed = 1;
+};
+
+#endif

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAreaLightSource.h"
+
+#include "scLightData.h"
+#include "scSpectrum.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+
+using shadowcones::Cross;
+using shadowcones::Dot;
+using shadowcones::Length;
+using shadowcones::Light;
+using shadowcones::LightShape;
+using shadowcones::Normalized;
+using shadowcones::Vector3;
+
+vtkIdType InsertPoint(vtkPoints* points, const Vector3& p)
+{
+  return points->InsertNextPoint(p.X, p.Y, p.Z);
+}
+
+// The part of up in the plane of the unit normal; another axis where nothing is left of it.
+Vector3 InPlaneUp(const Vector3& normal, const Vector3& up)
+{
+  const Vector3 unit = Normalized(up);
+  const Vector3 inPlane = unit - Dot(unit, normal) * normal;
+  if (Length(inPlane) > 1e-6)
+  {
+    return Normalized(inPlane);
+  }
+  const double x = std::fabs(normal.X);
+  const double y = std::fabs(normal.Y);
+  const double z = std::fabs(normal.Z);
+  const Vector3 axis = x <= y && x <= z ? Vector3{ 1.0, 0.0, 0.0 }
+    : y <= z                            ? Vector3{ 0.0, 1.0, 0.0 }
+                                        : Vector3{ 0.0, 0.0, 1.0 };
+  return Normalized(axis - Dot(axis, normal) * normal);
+}
+
+void TessellateDisc(const Light& light, int resolution, vtkPoints* points, vtkCellArray* polygons)
+{
+  const shadowcones::Frame frame = shadowcones::FrameAround(light.Normal);
+  polygons->InsertNextCell(resolution);
+  for (int i = 0; i < resolution; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * i / resolution;
+    polygons->InsertCellPoint(InsertPoint(points,
+      light.Center + (light.Radius * std::cos(angle)) * frame.U + (light.Radius * std::sin(angle)) * frame.V));
+  }
+}
+
+void TessellateRectangle(const Light& light, vtkPoints* points, vtkCellArray* polygons)
+{
+  const Vector3& u = light.AxisU;
+  const Vector3& v = light.AxisV;
+  polygons->InsertNextCell(4);
+  for (const Vector3& corner : { -u - v, u - v, u + v, v - u })
+  {
+    polygons->InsertCellPoint(InsertPoint(points, light.Center + corner));
+  }
+}
+
+void TessellateSphere(const Light& light, int resolution, vtkPoints* points, vtkCellArray* polygons)
+{
+  const int rings = resolution / 2 + 1; // from pole to pole
+  const vtkIdType north = InsertPoint(points, light.Center + Vector3{ 0.0, 0.0, light.Radius });
+  const vtkIdType south = InsertPoint(points, light.Center - Vector3{ 0.0, 0.0, light.Radius });
+  const auto id = [&](int ring, int i) -> vtkIdType {
+    return 2 + static_cast<vtkIdType>(ring - 1) * resolution + i % resolution;
+  };
+  for (int ring = 1; ring < rings; ++ring)
+  {
+    const double polar = vtkMath::Pi() * ring / rings;
+    for (int i = 0; i < resolution; ++i)
+    {
+      const double azimuth = 2.0 * vtkMath::Pi() * i / resolution;
+      const Vector3 normal{ std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar) };
+      InsertPoint(points, light.Center + light.Radius * normal);
+    }
+  }
+  for (int i = 0; i < resolution; ++i)
+  {
+    polygons->InsertNextCell({ north, id(1, i), id(1, i + 1) });
+    for (int ring = 1; ring + 1 < rings; ++ring)
+    {
+      polygons->InsertNextCell({ id(ring, i), id(ring + 1, i), id(ring + 1, i + 1), id(ring, i + 1) });
+    }
+    polygons->InsertNextCell({ south, id(rings - 1, i + 1), id(rings - 1, i) });
+  }
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkAreaLightSource);
+
+//------------------------------------------------------------------------------
+vtkAreaLightSource::vtkAreaLightSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLightSource::SetRadiance(double radiance)
+{
+  if (this->Radiance != radiance || !this->RadianceSpectrum.empty())
+  {
+    this->Radiance = radiance;
+    this->RadianceSpectrum.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLightSource::SetRadianceSpectrum(int index, double radiance)
+{
+  const auto found = this->RadianceSpectrum.find(index);
+  if (found == this->RadianceSpectrum.end() || found->second != radiance)
+  {
+    this->RadianceSpectrum[index] = radiance;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkAreaLightSource::GetRadianceSpectrum(int index)
+{
+  const auto found = this->RadianceSpectrum.find(index);
+  return found == this->RadianceSpectrum.end() ? this->Radiance : found->second;
+}
+
+//------------------------------------------------------------------------------
+int vtkAreaLightSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  // Every piece needs the whole light.
+  outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkAreaLightSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+
+  if (this->Shape < Disc || this->Shape > Sun)
+  {
+    vtkErrorMacro("Shape is " << this->Shape << "; it must be from 0 (Disc) to 4 (Sun).");
+    return 0;
+  }
+  if (this->NumberOfWavelengths < 1 || this->NumberOfWavelengths > 1000)
+  {
+    vtkErrorMacro("NumberOfWavelengths is " << this->NumberOfWavelengths << "; it must be from 1 to 1000.");
+    return 0;
+  }
+  if (this->Resolution < 3 || this->Resolution > 4096)
+  {
+    vtkErrorMacro("Resolution is " << this->Resolution << "; it must be from 3 to 4096.");
+    return 0;
+  }
+  for (const auto& sample : this->RadianceSpectrum)
+  {
+    if (sample.first < 0 || sample.first >= this->NumberOfWavelengths)
+    {
+      vtkErrorMacro("RadianceSpectrum is set for wavelength sample " << sample.first << "; with "
+                                                                    << this->NumberOfWavelengths
+                                                                    << " wavelengths indices run from 0 to "
+                                                                    << this->NumberOfWavelengths - 1 << ".");
+      return 0;
+    }
+  }
+  if (!vtkMath::IsFinite(this->Center[0]) || !vtkMath::IsFinite(this->Center[1]) || !vtkMath::IsFinite(this->Center[2]))
+  {
+    vtkErrorMacro("Center must be finite.");
+    return 0;
+  }
+  const auto isSize = [](double x) { return std::isfinite(x) && x > 0.0; };
+  if (this->Shape == Rectangle && !(isSize(this->Width) && isSize(this->Height)))
+  {
+    vtkErrorMacro("Width and Height must be finite and larger than 0; they are " << this->Width << " and "
+                                                                                << this->Height << ".");
+    return 0;
+  }
+  const Vector3 up{ this->Up[0], this->Up[1], this->Up[2] };
+  if (this->Shape == Rectangle && !shadowcones::IsFinite(up))
+  {
+    vtkErrorMacro("Up must be finite.");
+    return 0;
+  }
+
+  Light light;
+  light.Shape = static_cast<LightShape>(this->Shape);
+  light.Center = { this->Center[0], this->Center[1], this->Center[2] };
+  light.Normal = Normalized({ this->Normal[0], this->Normal[1], this->Normal[2] });
+  light.Radius = this->Shape == Sun ? vtkMath::RadiansFromDegrees(0.5 * this->AngularDiameter) : this->Radius;
+  if (this->Shape == Rectangle)
+  {
+    const Vector3 upward = InPlaneUp(light.Normal, up);
+    light.AxisU = 0.5 * this->Width * Cross(upward, light.Normal);
+    light.AxisV = 0.5 * this->Height * upward;
+  }
+  for (int i = 0; i < this->NumberOfWavelengths; ++i)
+  {
+    light.Spectrum.push_back(this->GetRadianceSpectrum(i));
+  }
+  if (const char* fault = shadowcones::PrepareLight(light))
+  {
+    vtkErrorMacro(<< fault);
+    return 0;
+  }
+
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  switch (this->Shape)
+  {
+    case Disc:
+      TessellateDisc(light, this->Resolution, points, cells);
+      break;
+    case Rectangle:
+      TessellateRectangle(light, points, cells);
+      break;
+    case Sphere:
+      TessellateSphere(light, this->Resolution, points, cells);
+      break;
+    default:
+      cells->InsertNextCell({ InsertPoint(points, { this->Center[0], this->Center[1], this->Center[2] }) });
+      break;
+  }
+  output->SetPoints(points);
+  if (this->Shape == Point || this->Shape == Sun)
+  {
+    output->SetVerts(cells);
+  }
+  else
+  {
+    output->SetPolys(cells);
+  }
+
+  shadowcones::WriteLightFieldData(light, output);
+  vtkNew<vtkDoubleArray> wavelengths;
+  wavelengths->SetName("LightWavelengths");
+  for (const double wavelength : shadowcones::DefaultWavelengths(this->NumberOfWavelengths))
+  {
+    wavelengths->InsertNextValue(wavelength);
+  }
+  output->GetFieldData()->AddArray(wavelengths);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkAreaLightSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Shape: " << this->Shape << "\n";
+  os << indent << "Center: " << this->Center[0] << " " << this->Center[1] << " " << this->Center[2] << "\n";
+  os << indent << "Normal: " << this->Normal[0] << " " << this->Normal[1] << " " << this->Normal[2] << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Width: " << this->Width << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "Up: " << this->Up[0] << " " << this->Up[1] << " " << this->Up[2] << "\n";
+  os << indent << "AngularDiameter: " << this->AngularDiameter << "\n";
+  os << indent << "Radiance: " << this->Radiance << "\n";
+  os << indent << "RadianceSpectrum:";
+  for (const auto& sample : this->RadianceSpectrum)
+  {
+    os << " [" << sample.first << "] " << sample.second;
+  }
+  os << "\n";
+  os << indent << "NumberOfWavelengths: " << this->NumberOfWavelengths << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+}

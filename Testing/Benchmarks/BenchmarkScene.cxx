@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BenchmarkScene.h"
+
+#include "scLightData.h"
+#include "vtkAreaLightSource.h"
+#include "vtkConeSetFilter.h"
+#include "vtkLabelOccluders.h"
+#include "vtkShadowVectorFilter.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
+#include "vtkPointData.h"
+#include "vtkSTLReader.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+#include <stdexcept>
+
+namespace shadowcones
+{
+namespace
+{
+template <class Reader>
+vtkSmartPointer<vtkPolyData> ReadWith(const std::string& file)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> Read(const std::string& file)
+{
+  const std::string ending = file.substr(std::min(file.size(), file.find_last_of('.')));
+  vtkSmartPointer<vtkPolyData> mesh;
+  if (ending == ".vtp")
+  {
+    mesh = ReadWith<vtkXMLPolyDataReader>(file);
+  }
+  else if (ending == ".obj")
+  {
+    mesh = ReadWith<vtkOBJReader>(file);
+  }
+  else if (ending == ".ply")
+  {
+    mesh = ReadWith<vtkPLYReader>(file);
+  }
+  else if (ending == ".stl")
+  {
+    mesh = ReadWith<vtkSTLReader>(file);
+  }
+  if (!mesh || mesh->GetNumberOfPolys() == 0)
+  {
+    throw std::runtime_error("No polygons in '" + file + "': give chair, tree, blob, or a .vtp, .obj, .ply or .stl file.");
+  }
+  return mesh;
+}
+
+/// Three high, centred, on the floor.
+vtkSmartPointer<vtkPolyData> StandInRoom(vtkPolyData* mesh)
+{
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  const double scale = 3.0 / (bounds[3] - bounds[2]);
+  vtkNew<vtkTransform> transform;
+  transform->Scale(scale, scale, scale);
+  transform->Translate(-0.5 * (bounds[0] + bounds[1]), -bounds[2], -0.5 * (bounds[4] + bounds[5]));
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetInputData(mesh);
+  filter->SetTransform(transform);
+  filter->Update();
+  return filter->GetOutput();
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+//------------------------------------------------------------------------------
+Box RoomBounds()
+{
+  return { { -2.75, 0.0, -2.75 }, { 2.75, 5.2, 2.75 } };
+}
+
+//------------------------------------------------------------------------------
+BenchmarkScene LoadBenchmarkScene(const std::string& nameOrFile)
+{
+  const bool named = nameOrFile == "chair" || nameOrFile == "tree" || nameOrFile == "blob";
+  vtkSmartPointer<vtkPolyData> mesh =
+    named ? Read(SHADOWCONES_DATA_DIR "/" + nameOrFile + ".vtp") : StandInRoom(Read(nameOrFile));
+
+  BenchmarkScene scene;
+  scene.Name = named ? nameOrFile : nameOrFile.substr(nameOrFile.find_last_of('/') + 1);
+  vtkNew<vtkLabelOccluders> label;
+  label->SetInputData(mesh);
+  label->Update();
+  scene.Occluders = label->GetOutput();
+
+  vtkNew<vtkAreaLightSource> light;
+  light->SetShapeToDisc();
+  light->SetCenter(0.0, 5.49, 0.0);
+  light->SetNormal(0.0, -1.0, 0.0);
+  light->SetRadius(0.5);
+  light->SetRadiance(1.0);
+  light->Update();
+  scene.LightData = light->GetOutput();
+
+  std::string error;
+  if (!ReadLight(scene.LightData, scene.Source, error) || !ReadTriangles(scene.Occluders, scene.Mesh, error))
+  {
+    throw std::runtime_error(error);
+  }
+  scene.Fast = std::make_unique<OccluderScene>(scene.Mesh.View());
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+ConeParameters NamedParameters(const std::string& set)
+{
+  ConeParameters parameters;
+  parameters.Set = set;
+  if (set == "paper")
+  {
+    parameters.Storage = 0;
+    parameters.Variance = 1.6;
+    parameters.Expansion = 0;
+    parameters.Cosine = true;
+    parameters.Overlap = false;
+  }
+  else if (set != "bounds")
+  {
+    throw std::runtime_error("No parameter set '" + set + "': give paper or bounds.");
+  }
+  return parameters;
+}
+
+//------------------------------------------------------------------------------
+std::string Describe(const ConeParameters& parameters)
+{
+  static const char* const expansions[3] = { "max", "ratio", "light" };
+  std::ostringstream text;
+  text << parameters.Set << ' ' << (parameters.Storage ? "hit" : "back") << " p=" << parameters.P1 << ',' << parameters.P2
+       << ',' << parameters.P3 << ',' << parameters.P4 << " t=" << parameters.Variance << " flat=" << parameters.Planarity
+       << ' ' << expansions[parameters.Expansion] << '*' << parameters.Fraction << (parameters.Cosine ? " cos" : "")
+       << (parameters.Overlap ? " overlap" : "") << " seed=" << parameters.Seed;
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+VectorsOfScene MakeVectors(const BenchmarkScene& scene, const ConeParameters& parameters)
+{
+  vtkNew<vtkShadowVectorFilter> filter;
+  filter->SetInputData(scene.Occluders);
+  filter->SetLightData(scene.LightData);
+  filter->SetTargetNumberOfVectors(parameters.Vectors);
+  filter->SetSeed(parameters.Seed);
+  filter->SetStorage(parameters.Storage);
+  const double start = Now();
+  filter->Update();
+  VectorsOfScene result;
+  result.Seconds = Now() - start;
+  result.Vectors = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  result.Paths = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  return result;
+}
+
+//------------------------------------------------------------------------------
+ConesOfScene MakeCones(const VectorsOfScene& vectors, const ConeParameters& parameters)
+{
+  vtkNew<vtkConeSetFilter> filter;
+  filter->SetInputData(vectors.Vectors);
+  filter->SetPhotonPathData(vectors.Paths);
+  filter->SetNumberOfNeighbors(parameters.P1);
+  filter->SetNumberOfSectors(parameters.P2);
+  filter->SetPointsPerRing(parameters.P3);
+  filter->SetMinimumVectorsPerCone(parameters.P4);
+  filter->SetVarianceThreshold(parameters.Variance);
+  filter->SetPlanarityThreshold(parameters.Planarity);
+  filter->SetExpansion(parameters.Expansion);
+  filter->SetExpansionFraction(parameters.Fraction);
+  filter->SetCosineCorrection(parameters.Cosine);
+  filter->SetOverlap(parameters.Overlap);
+  const double start = Now();
+  filter->Update();
+  ConesOfScene result;
+  result.Seconds = Now() - start;
+  std::string error;
+  if (!ReadConeSet(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)), result.Cones, error))
+  {
+    throw std::runtime_error(error);
+  }
+  vtkPolyData* labelled = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  vtkDataArray* ids = labelled->GetPointData()->GetArray("ConeId");
+  if (!ids || ids->GetNumberOfTuples() == 0)
+  {
+    throw std::runtime_error("The cone set filter gave no labelled vectors.");
+  }
+  vtkIdType discarded = 0;
+  for (vtkIdType k = 0; k < ids->GetNumberOfTuples(); ++k)
+  {
+    discarded += ids->GetTuple1(k) < 0.0;
+  }
+  result.Discarded = static_cast<double>(discarded) / ids->GetNumberOfTuples();
+  return result;
+}
+
+} // namespace shadowcones

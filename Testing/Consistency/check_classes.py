@@ -1,0 +1,33 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every class has a page, a test, a Python example, an entry in the ParaView plugin and a line in the changelog."""
+
+import os
+import re
+import sourcetree
+
+
+def faults(root):
+    paths = list(sourcetree.files(root))
+
+    def mentioned(pattern, word):
+        word = re.compile(word)
+        return any(word.search(sourcetree.text(root, p) or "") for p in paths if re.fullmatch(pattern, p))
+
+    for module, name in sourcetree.classes(root):
+        if not os.path.exists(os.path.join(root, f"Documentation/filters/{name}.md")):
+            yield f"{name}: no page Documentation/filters/{name}.md"
+        if not mentioned(r"Documentation/README\.md", rf"\(filters/{name}\.md\)"):
+            yield f"{name}: Documentation/README.md does not link its page"
+        if not mentioned(rf"Modules/{module}/Testing/Cxx/Test\w+\.cxx", rf'#include "{name}\.h"'):
+            yield f"{name}: no test in Modules/{module}/Testing/Cxx includes it"
+        if not mentioned(r"Examples/Python/\w+\.py", rf"\b{name}\("):
+            yield f"{name}: no example in Examples/Python uses it"
+        if not mentioned(r"Modules/ParaViewPlugin/\w+\.xml", rf'class="{name}"'):
+            yield f"{name}: no server-manager XML in Modules/ParaViewPlugin"
+        if not mentioned(r"CHANGELOG\.md", rf"\b{name}\b"):
+            yield f"{name}: no line in CHANGELOG.md"
+
+
+if __name__ == "__main__":
+    sourcetree.main(faults)

@@ -1,0 +1,153 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each check finds the fault that it is there for, and nothing in a tree without faults."""
+
+import os
+import sys
+import tempfile
+import types
+import unittest
+
+import check_classes
+import check_core_includes
+import check_data
+import check_defaults
+import check_installed_headers
+import check_licence
+import check_links
+import check_paths
+import numpy as np
+
+LICENCE = "// SPDX-License-Identifier: BSD-3-Clause\n"
+CMAKE = "# SPDX-License-Identifier: BSD-3-Clause\n"
+
+SOUND = {
+    "Modules/Core/CMakeLists.txt": CMAKE + "set(headers\n  scRay.h)\nadd(HEADERS ${headers} PRIVATE_HEADERS scInside.h)\n",
+    "Modules/Core/scRay.h": LICENCE + '#include "vtkType.h"\n',
+    "Modules/Core/scInside.h": LICENCE + "#include <embree3/rtcore.h>\n",
+    "Modules/Filters/CMakeLists.txt": CMAKE + "set(classes\n  vtkThing)\n",
+    "Modules/Filters/vtkThing.h": LICENCE + '#include "vtkPolyDataAlgorithm.h"\n',
+    "Modules/Filters/Testing/Cxx/TestThing.cxx": LICENCE + '#include "vtkThing.h"\n',
+    "Modules/ParaViewPlugin/Filters.xml": '<!-- SPDX-License-Identifier: BSD-3-Clause -->\n<Proxy class="vtkThing"/>\n',
+    "Documentation/README.md": "[vtkThing](filters/vtkThing.md)\n",
+    "Documentation/filters/vtkThing.md": "Runs /usr/bin/python3 in ${HOME}/" + "work.\n",
+    "Examples/Python/thing.py": CMAKE + "vtkThing()\n",
+    "CHANGELOG.md": "`vtkThing`\n",
+}
+
+HEADER = LICENCE + """
+class vtkThing
+{
+  enum KindType
+  {
+    LARGE_KIND = 2
+  };
+  ///@{
+  /// How much, above 0. Default 0.5.
+  vtkSetMacro(Amount, double);
+  ///@}
+  ///@{
+  /**
+   * Which kind. Default: Large.
+   */
+  vtkSetMacro(Kind, int);
+  void SetKindToLarge() { this->SetKind(LARGE_KIND); }
+  ///@}
+  ///@{
+  /// Where. Default (0, 1).
+  vtkSetVector2Macro(Place, double);
+  ///@}
+private:
+  double Amount = 0.5;
+  int Kind = LARGE_KIND;
+  double Place[2] = { 0.0, 1.0 };
+};
+"""
+XML = """<!-- SPDX-License-Identifier: BSD-3-Clause -->
+<Proxy class="vtkThing"><A command="SetKind" default_values="2"/><A command="SetPlace" default_values="0 1"/></Proxy>
+"""
+
+
+class Thing:
+    def GetAmount(self):
+        return 0.5
+
+    def GetKind(self):
+        return 2
+
+    def GetPlace(self):
+        return (0.0, 1.0)
+
+
+CHECKS = (check_classes, check_core_includes, check_installed_headers, check_licence, check_links, check_paths)
+
+
+class TestChecks(unittest.TestCase):
+    def faults(self, check, changes):
+        with tempfile.TemporaryDirectory() as root:
+            for path, content in {**SOUND, **changes}.items():
+                if content is not None:
+                    os.makedirs(os.path.dirname(os.path.join(root, path)), exist_ok=True)
+                    with open(os.path.join(root, path), "w", encoding="utf-8") as stream:
+                        stream.write(content)
+            return list(check.faults(root))
+
+    def test_sound_tree(self):
+        for check in CHECKS:
+            self.assertEqual(self.faults(check, {}), [], check.__name__)
+
+    def test_core_includes(self):
+        for name in ("vtkPolyData.h", "vtkInformation.h", "vtkAlgorithm.h"):
+            changes = {"Modules/Core/scRay.h": LICENCE + f'#include "{name}"\n'}
+            self.assertEqual(len(self.faults(check_core_includes, changes)), 1, name)
+
+    def test_installed_headers(self):
+        for name in ("<embree4/rtcore.h>", "<Eigen/Dense>", "<pcl/point_types.h>", "<OpenMesh/Core/IO/MeshIO.hh>", '"scInside.h"'):
+            for path in ("Modules/Core/scRay.h", "Modules/Filters/vtkThing.h"):
+                self.assertEqual(len(self.faults(check_installed_headers, {path: LICENCE + f"#include {name}\n"})), 1, name)
+        self.assertEqual(len(self.faults(check_installed_headers, {"Modules/Core/scRay.h": None})), 1)
+
+    def test_licence(self):
+        for path in ("Modules/Core/scRay.h", "Modules/Core/CMakeLists.txt", "Examples/Python/thing.py", "Utilities/run"):
+            self.assertEqual(len(self.faults(check_licence, {path: "\n" + LICENCE})), 1, path)
+        self.assertEqual(self.faults(check_licence, {"Utilities/run": "#!/bin/sh\n" + CMAKE}), [])
+
+    def test_paths(self):
+        for folder in ("/wo" "rk/main", "/ro" "ot", "'/ho" "me/a'", "cd /t" "mp"):
+            self.assertEqual(len(self.faults(check_paths, {"CHANGELOG.md": f"vtkThing {folder}\n"})), 1, folder)
+
+    def test_links(self):
+        self.assertEqual(len(self.faults(check_links, {"CHANGELOG.md": "`vtkThing` ![a](b.png) [c](https://d) [e](#f)\n"})), 1)
+
+    def test_defaults(self):
+        header, xml = "Modules/Filters/vtkThing.h", "Modules/ParaViewPlugin/Filters.xml"
+        sound = {header: HEADER, xml: XML}
+        before = sys.modules.get("shadowcones")
+        sys.modules["shadowcones"] = types.SimpleNamespace(vtkThing=Thing)
+        try:
+            self.assertEqual(self.faults(check_defaults, sound), [])
+            for old, new in (("Default 0.5", "Default 0.6"), ("Default 0.5", "Usual 0.5"), ("Default: Large", "Default: Small"),
+                             ("Default (0, 1)", "Default (0, 2)")):
+                self.assertEqual(len(self.faults(check_defaults, {**sound, header: HEADER.replace(old, new)})), 1, new)
+            for old, new in (('"2"', '"1"'), ('"0 1"', '"0 0"')):
+                self.assertEqual(len(self.faults(check_defaults, {**sound, xml: XML.replace(old, new)})), 1, new)
+            sys.modules["shadowcones"].vtkThing = type("Other", (Thing,), {"GetKind": lambda self: 1})
+            self.assertEqual(len(self.faults(check_defaults, sound)), 1)
+        finally:
+            sys.modules["shadowcones"] = before
+
+    def test_data(self):
+        made = {"points": np.array([0.0, 1.0], dtype=np.float32), "offsets": np.array([0, 3])}
+        self.assertEqual(list(check_data.compare("a", made, dict(made))), [])
+        for key, values in (("points", made["points"] + 1e-5), ("offsets", made["offsets"] + 1), ("points", made["points"][:1])):
+            self.assertEqual(len(list(check_data.compare("a", made, {**made, key: values.astype(made[key].dtype)}))), 1)
+        self.assertEqual(len(list(check_data.compare("a", made, {"points": made["points"]}))), 1)
+
+    def test_classes(self):
+        for path in SOUND:
+            if path.startswith(("Documentation", "Examples", "CHANGELOG", "Modules/ParaViewPlugin", "Modules/Filters/Testing")):
+                self.assertEqual(len(self.faults(check_classes, {path: None})), 1, path)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scReference.h
+ * @brief Slow, plain truth that every fast path is held against.
+ *
+ * It shares the plain structs of Core (mesh view, light, medium, camera, cone) and none of its code: own ray-triangle test in
+ * double precision, own median-split tree, own independent random numbers (std::mt19937_64) and own light rule.
+ */
+#ifndef scReference_h
+#define scReference_h
+
+#include "scCamera.h"
+#include "scConeSet.h"
+#include "scLight.h"
+#include "scMedium.h"
+#include "scOccluderScene.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace shadowcones
+{
+
+/// Triangles in double precision under a median-split tree. Copies the mesh.
+class ReferenceScene
+{
+public:
+  explicit ReferenceScene(const TriangleMeshView& mesh);
+
+  /// Distance of the nearest hit in (tMin, tMax) along a unit direction; infinity where there is none.
+  double Nearest(const Vector3& origin, const Vector3& direction, double tMin, double tMax) const;
+  /// Is there any hit in (tMin, tMax)?
+  bool Blocked(const Vector3& origin, const Vector3& direction, double tMin, double tMax) const;
+  /// Number of hits in (tMin, tMax), by a plain loop over all triangles.
+  int CountHits(const Vector3& origin, const Vector3& direction, double tMin, double tMax) const;
+
+private:
+  struct Node
+  {
+    std::array<double, 3> Min;
+    std::array<double, 3> Max;
+    int Begin = 0;  ///< leaf: first triangle
+    int End = 0;    ///< leaf: one past the last; inner node: 0
+    int Second = 0; ///< inner node: the second child; the first one follows its parent
+  };
+  int Build(int begin, int end);
+  double Search(const Vector3& origin, const Vector3& direction, double tMin, double tMax, bool any) const;
+
+  std::vector<std::array<Vector3, 3>> Triangles;
+  std::vector<Node> Nodes;
+};
+
+/**
+ * Visible fraction of the light from a point, by independent random points on it: uniform by area (Disc, Rectangle, Mesh) or
+ * by the solid angle of the visible cap (Sphere, Sun). 0 where only the dark side faces the point.
+ */
+double ReferenceVisibility(
+  const ReferenceScene& scene, const Light& light, const Vector3& x, int samples, std::uint64_t seed = 1);
+
+/// One value per wavelength sample each.
+struct ReferenceEstimate
+{
+  std::vector<double> Mean;
+  std::vector<double> StandardError;
+};
+
+/**
+ * Single scattering along the ray through the centre of pixel (i, j), up to the first surface: independent random positions
+ * on the ray (half of them uniform, half equi-angular about the light), one independent random light point each, attenuation
+ * on both legs over the length inside the medium. Sixteen independent estimates give the standard error.
+ */
+ReferenceEstimate ReferenceInScattering(const ReferenceScene& scene, const Light& light, const Medium& medium,
+  const Camera& camera, int i, int j, int width, int height, int samples, std::uint64_t seed = 1);
+
+/// Density per steradian, written out again from the literature.
+double ReferencePhaseFunction(const PhaseFunction& phase, double cosine);
+
+/// Is the point inside the cone that is cut at @p length from its base?
+bool ReferenceConeContains(const Cone& cone, const Vector3& point, double length);
+/// First and last point of a ray inside a cone: @p samples points on [tMin, tMax], then bisection of both ends.
+bool ReferenceConeInterval(const Cone& cone, double length, const Vector3& origin, const Vector3& direction, double tMin,
+  double tMax, double& begin, double& end, int samples = 20000);
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,10 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# Install what is missing, build everything and run every test: sh Utilities/test.sh [options for ctest]
+set -eu
+. "$(dirname "$0")/setup.sh"
+
+install_packages build demo test
+build_project -DSHADOWCONES_BUILD_TESTING=ON -DSHADOWCONES_BUILD_EXAMPLES=ON
+cd "$build"
+ctest --output-on-failure -j2 "$@"
