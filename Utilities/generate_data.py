@@ -200,7 +200,7 @@ def make_blob():
 
 
 def make_room():
-    """Floor, ceiling, left, right and back wall of a room with an open front; faces inward, reflectances on its cells."""
+    """Floor, ceiling, left, right and back wall, faces inward, with their reflectances; the front is open."""
     w, h = ROOM_HALF_WIDTH, ROOM_HEIGHT
     white = (0.70, 0.73, 0.74, 0.74, 0.74, 0.74, 0.73)
     red = (0.05, 0.05, 0.06, 0.07, 0.26, 0.58, 0.63)
@@ -249,7 +249,7 @@ def write(poly_data, path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     default = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data")
-    parser.add_argument("--output", default=default, help="folder to write to (default: Data beside this script's folder)")
+    parser.add_argument("--output", default=default, help="folder to write to (default: Data of this project)")
     arguments = parser.parse_args()
     os.makedirs(arguments.output, exist_ok=True)
     for name, make in SCENES.items():

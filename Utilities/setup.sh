@@ -33,7 +33,7 @@ not_installed()
 install_packages()
 {
   command -v dpkg-query >/dev/null 2>&1 && command -v apt-get >/dev/null 2>&1 || fail \
-    "this system has no apt-get. Install what Utilities/packages.txt names by its own means, then: cmake --preset release"
+    "this system has no apt-get. Install what Utilities/packages.txt names by other means, then: cmake --preset release"
   # shellcheck disable=SC2046
   absent=$(not_installed $(packages_of "$@"))
   if [ -z "$absent" ]; then
@@ -46,10 +46,12 @@ install_packages()
   as_root=""
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null 2>&1 || fail \
-      "packages are missing, this user is not root and there is no sudo. As root: apt-get install --no-install-recommends $absent"
+      "packages are missing, this user is not root and there is no sudo." \
+      "As root: apt-get install --no-install-recommends $absent"
     as_root="sudo"
   fi
-  $as_root apt-get -q update || printf 'warning: the package lists could not be refreshed; going on with those at hand\n' >&2
+  $as_root apt-get -q update ||
+    printf 'warning: the package lists could not be refreshed; going on with those at hand\n' >&2
   system=$(sed -n 's/^PRETTY_NAME="\(.*\)"$/\1/p' /etc/os-release 2>/dev/null || true)
   for package in $absent; do
     LC_ALL=C apt-cache policy "$package" | grep -q 'Candidate: [^(]' || fail \

@@ -67,7 +67,7 @@ bool Write(vtkAlgorithmOutput* port, const std::filesystem::path& path)
   writer->Write();
   return writer->GetErrorCode() == 0;
 }
-}
+} // namespace
 
 int main(int argc, char* argv[])
 {

@@ -58,6 +58,7 @@ def show_cones(occluders, light, vectors, cones, path):
     arrows = simple.Glyph(
         Input=simple.OutputPort(vectors, "Shadow Vectors"), GlyphType="Line", OrientationArray=["POINTS", "Direction"],
         ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.08, GlyphMode="All Points")
+    arrows.GlyphTransform.Translate = [0.5, 0.0, 0.0]  # a line glyph is centred, and vectors start at their point
     for port, color, opacity in (
             (occluders, [0.75, 0.72, 0.66], 1.0),
             (light, [1.0, 0.85, 0.3], 1.0),
@@ -65,7 +66,7 @@ def show_cones(occluders, light, vectors, cones, path):
             (simple.OutputPort(geometry, "Base Discs"), [0.9, 0.1, 0.1], 0.8),
             (arrows, [0.0, 0.6, 0.1], 1.0)):
         display = simple.Show(port, view)
-        simple.ColorBy(display, None)
+        display.ColorArrayName = ["POINTS", ""]
         display.DiffuseColor = display.AmbientColor = color
         display.Opacity = opacity
     view.CameraPosition = [5.5, 4.6, 8.5]

@@ -6,6 +6,7 @@ import argparse
 import os
 import time
 
+import common
 import scenes
 import shadowcones as sc
 from vtkmodules.vtkCommonCore import vtkVersion
@@ -46,6 +47,7 @@ def main():
     parser.add_argument("--data", default=scenes.DATA, help="folder of the meshes (default: Data of this project)")
     parser.add_argument("--vectors", type=int, default=5800, help="number of shadow vectors (default: 5800)")
     parser.add_argument("--size", type=int, default=256, help="width and height of the image in pixels (default: 256)")
+    parser.add_argument("--view-size", type=int, default=400, help="the same of cones.png (default: 400)")
     parser.add_argument("--no-display", action="store_true", help="leave out cones.png, which needs a display")
     arguments = parser.parse_args()
     os.makedirs(arguments.output, exist_ok=True)
@@ -106,18 +108,22 @@ def main():
             camera.SetPosition(6.0, 3.4, 8.5)
             camera.SetFocalPoint(0.0, 1.1, 0.0)
             camera.SetViewAngle(26.0)
-            scenes.show_cones(occluders, light, vectors, cones, 1.0, camera, path("cones.png"))
+            common.save(common.cone_view(occluders, vectors, cones, 1.0, camera, arguments.view_size, 0.5),
+                        path("cones.png"))
         files.append("cones.png")
 
     def figure(data, name):
         return data.GetFieldData().GetArray(name).GetTuple1(0)
 
+    photons = figure(vectors.GetOutput(), "NumberOfPhotons")
+    discarded = figure(cones.GetOutput(), "DiscardedFraction")
+    rays = figure(image.GetOutput(), "NumberOfOcclusionRays")
     print(f"""
 VTK {vtkVersion.GetVTKVersion()}, ShadowCones {sc.__version__}
-shadow vectors  {vectors.GetOutput().GetNumberOfPoints():10,}  from {figure(vectors.GetOutput(), "NumberOfPhotons"):,.0f} photons
+shadow vectors  {vectors.GetOutput().GetNumberOfPoints():10,}  from {photons:,.0f} photons
 cones           {cones.GetOutput().GetNumberOfPoints():10,}
-discarded       {figure(cones.GetOutput(), "DiscardedFraction"):10.1%}  of the vectors lie in no cone
-occlusion rays  {figure(image.GetOutput(), "NumberOfOcclusionRays"):10,.0f}  for {arguments.size} x {arguments.size} pixels
+discarded       {discarded:10.1%}  of the vectors lie in no cone
+occlusion rays  {rays:10,.0f}  for {arguments.size} x {arguments.size} pixels
 written to {arguments.output}: {', '.join(files)}""")
 
 

@@ -2,6 +2,7 @@
 """Command line, meshes, the chain of filters with the paper's parameters, and pictures: what the examples share."""
 
 import argparse
+import functools
 import os
 
 import numpy as np
@@ -9,7 +10,7 @@ import scenes
 import shadowcones as sc
 import vtkmodules.vtkRenderingFreeType  # the text of captions
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkHedgeHog
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
@@ -95,24 +96,29 @@ def read_mesh(path):
     return mesh
 
 
-def fit(mesh, size, bottom, turns=()):
-    """The mesh, turned by (axis, degrees) pairs, centred over the floor, `size` across at its widest, from height `bottom` up."""
+def stand_in_room(path, size):
+    """A mesh file, `size` across at its widest, centred on the floor. Meshes of this project are left where they are."""
+    mesh = read_mesh(path)
+    if os.path.dirname(os.path.realpath(path)) == os.path.realpath(scenes.DATA):
+        return mesh
+    low, high = np.reshape(mesh.GetBounds(), (3, 2)).T
+    scale = size / max(high - low)
     transform = vtkTransform()
-    transform.PostMultiply()
-    for axis, degrees in turns:
-        getattr(transform, "Rotate" + axis)(degrees)
+    transform.Scale(scale, scale, scale)
+    transform.Translate(-0.5 * (low[0] + high[0]), -low[1], -0.5 * (low[2] + high[2]))
     move = vtkTransformPolyDataFilter()
     move.SetInputData(mesh)
     move.SetTransform(transform)
     move.Update()
-    low, high = np.reshape(move.GetOutput().GetBounds(), (3, 2)).T
-    scale = size / max(high - low)
-    middle = 0.5 * (low + high)
-    transform.Translate(-middle[0], -low[1], -middle[2])
-    transform.Scale(scale, scale, scale)
-    transform.Translate(0.0, bottom, 0.0)
-    move.Update()
     return move.GetOutput()
+
+
+def receivers(mesh):
+    """Mark a mesh to catch shadows and cast none."""
+    ids = numpy_to_vtk(np.full(mesh.GetNumberOfCells(), -1, dtype=np.int32), deep=True)
+    ids.SetName("OccluderId")
+    mesh.GetCellData().AddArray(ids)
+    return mesh
 
 
 # The chain
@@ -195,8 +201,8 @@ def text(words, width, height):
     if words and vtkTextRenderer.GetInstance().RenderString(style, words, rendered, [0, 0], 72):
         columns, rows, _ = rendered.GetDimensions()
         ink = vtk_to_numpy(rendered.GetPointData().GetScalars()).reshape(rows, columns, -1)[:, :, -1]
-        (low, *_, high), (left, *_, right) = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
-        ink = ink[low:high + 1, left:right + 1][:height, :width]
+        inked_rows, inked_columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
+        ink = ink[inked_rows[0]:inked_rows[-1] + 1, inked_columns[0]:inked_columns[-1] + 1][:height, :width]
         y, x = (height - ink.shape[0]) // 2, (width - ink.shape[1]) // 2
         strip[y:y + ink.shape[0], x:x + ink.shape[1]] = 255 - (ink * 0.85).astype(np.uint8)[:, :, np.newaxis]
     return strip
@@ -220,10 +226,13 @@ def table(rows, columns, row_titles=None, gap=4):
     return np.concatenate([part for strip in reversed(lines) for part in (strip, between)][:-1], axis=0)
 
 
-def add_actor(renderer, port, color, opacity=1.0, line_width=1.0, ambient=0.0):
-    """Show the output of a filter. `ambient` is the share of light that does not come from the camera."""
+def add_actor(renderer, source, color, opacity=1.0, line_width=1.0, ambient=0.0):
+    """Show a mesh or the output of a filter. `ambient` is the share of light that does not come from the camera."""
     mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(port)
+    if isinstance(source, vtkPolyData):
+        mapper.SetInputData(source)
+    else:
+        mapper.SetInputConnection(source)
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
@@ -237,24 +246,32 @@ def add_actor(renderer, port, color, opacity=1.0, line_width=1.0, ambient=0.0):
     return actor
 
 
+@functools.lru_cache(maxsize=None)
+def off_screen_window():
+    """One window for all pictures: a virtual display may shut down when its only window closes."""
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetAlphaBitPlanes(True)
+    window.SetMultiSamples(0)
+    return window
+
+
 def render(renderer, camera, size):
     """What a renderer shows off screen, as a picture. Needs a display."""
     renderer.SetBackground(1.0, 1.0, 1.0)
     renderer.SetActiveCamera(camera)
     renderer.SetUseDepthPeeling(True)
     renderer.SetMaximumNumberOfPeels(40)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetAlphaBitPlanes(True)
-    window.SetMultiSamples(0)
+    renderer.ResetCameraClippingRange()
+    window = off_screen_window()
     window.SetSize(2 * size, 2 * size)
     window.AddRenderer(renderer)
-    renderer.ResetCameraClippingRange()
     window.Render()
     grab = vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
     grab.Update()
+    window.RemoveRenderer(renderer)
     # Four pixels to one: depth peeling has no multi-sampling.
     large = pixels(grab.GetOutput()).reshape(size, 2, size, 2, 3)
     return large.mean(axis=(1, 3)).round().astype(np.uint8)

@@ -25,13 +25,13 @@ def camera(position, focal_point, view_up, view_angle):
 def views(model):
     """Camera and opacity of the mesh: from behind the light, where discs would hide below the mesh, and from the side."""
     height = 3.0 if model == "chair" else 4.5
-    near = camera((0.0, 8.5, 0.4), (0.0, 0.5 * height, 0.0), (0.0, 0.0, -1.0), 25.0 if model == "chair" else 46.0)
-    side = camera((6.5, 0.5 * height + 1.6, 8.0), (0.0, 0.47 * height, 0.0), (0.0, 1.0, 0.0), 12.0 + 4.0 * height)
+    near = camera((0.0, 8.5, 0.4), (0.0, 0.5 * height, 0.0), (0.0, 0.0, -1.0), 27.0 if model == "chair" else 48.0)
+    side = camera((6.5, 0.5 * height + 1.6, 8.0), (0.0, 0.44 * height, 0.0), (0.0, 1.0, 0.0), 13.0 + 4.0 * height)
     return (near, 0.4), (side, 1.0)
 
 
 def main():
-    arguments = common.parse(common.parser(__doc__, size=420, vectors=5800))
+    arguments = common.parse(common.parser(__doc__, size=380, vectors=5800))
     light = scenes.ceiling_light()
     rows = []
     for model in MODELS:
@@ -42,7 +42,7 @@ def main():
         rows.append([common.cone_view(occluders, vectors, cones, LENGTHS[model], view, arguments.size, opacity)
                      for view, opacity in views(model)])
     common.save(common.table(rows, ("from near the light", "from the side"), MODELS),
-                os.path.join(arguments.output, "figure7.png"), levels=32)
+                os.path.join(arguments.output, "figure7.png"), levels=40)
 
 
 if __name__ == "__main__":

@@ -14,15 +14,17 @@ MODES = ("BruteForce", "Medium", "Fast")
 def main():
     options = common.parser(__doc__, size=256, vectors=5800)
     options.add_argument("--samples", type=int, default=16, help="light points at a march sample (default: 16)")
+    options.add_argument("--models", nargs="+", choices=MODELS, default=MODELS, help="models to show (default: both)")
+    options.add_argument("--modes", nargs="+", choices=MODES, default=MODES, help="modes to show (default: all)")
     arguments = common.parse(options)
     light = scenes.ceiling_light()
-    rows = [[] for _ in MODES]
-    for model in MODELS:
+    rows = [[] for _ in arguments.modes]
+    for model in arguments.models:
         occluders = scenes.label(scenes.read(os.path.join(arguments.data, model + ".vtp")))
         room = scenes.put_in_room(occluders, arguments.data)
         cones = common.cone_set(common.shadow_vectors(room, light, arguments.vectors))
         print(f"{model}: {common.summary(cones)}", flush=True)
-        for mode, row in zip(MODES, rows):
+        for mode, row in zip(arguments.modes, rows):
             image = common.light_shafts(room, light, cones, mode, arguments.size)
             image.SetNumberOfLightSamples(arguments.samples)
             image.SetNumberOfSurfaceLightSamples(64)
@@ -31,7 +33,8 @@ def main():
             print(f"{model}, {mode}: {field.GetArray('RenderSeconds').GetTuple1(0):.2f} s, "
                   f"{field.GetArray('NumberOfOcclusionRays').GetTuple1(0):,.0f} occlusion rays", flush=True)
             row.append(common.pixels(image.GetOutput()))
-    common.save(common.table(rows, MODELS, MODES), os.path.join(arguments.output, "figure8.png"))
+            common.save(row[-1], os.path.join(arguments.output, f"{model}-{mode.lower()}.png"))
+    common.save(common.table(rows, arguments.models, arguments.modes), os.path.join(arguments.output, "figure8.png"))
 
 
 if __name__ == "__main__":

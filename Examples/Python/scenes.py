@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The rooms of Data/ with their light and camera, and a window to show cones in: what the examples share."""
+"""The rooms of Data/ with their light and camera: what the examples share."""
 
 import os
 
 import numpy as np
 import shadowcones as sc
-import vtkmodules.vtkRenderingOpenGL2  # the renderers that the window below needs
+import vtkmodules.vtkRenderingOpenGL2  # so that windows of the examples can draw
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkHedgeHog
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkCamera, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
+from vtkmodules.vtkRenderingCore import vtkCamera
 
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data")
 MEDIUM_BOUNDS = (-2.75, 2.75, 0.0, 5.2, -2.75, 2.75)
@@ -77,55 +76,3 @@ def write_png(image, path):
     writer.SetInputData(image)
     writer.SetFileName(path)
     writer.Write()
-
-
-def add_actor(renderer, port, color, opacity=1.0, line_width=1.0):
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(port)
-    mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(*color)
-    actor.GetProperty().SetOpacity(opacity)
-    actor.GetProperty().SetLineWidth(line_width)
-    renderer.AddActor(actor)
-
-
-def show_cones(occluders, light, vectors, cones, length, camera, path, size=(900, 900)):
-    """Draw cones in blue, cut at a length; base discs in red; shadow vectors in green. Needs a display."""
-    geometry = sc.vtkConeSetGeometry()
-    geometry.SetInputConnection(cones.GetOutputPort())
-    geometry.SetLength(length)
-
-    vectors.Update()
-    directed = vectors.GetOutput().NewInstance()
-    directed.ShallowCopy(vectors.GetOutput())
-    directed.GetPointData().SetActiveVectors("Direction")
-    arrows = vtkHedgeHog()
-    arrows.SetInputData(directed)
-    arrows.SetScaleFactor(0.08)
-
-    renderer = vtkRenderer()
-    renderer.SetBackground(1.0, 1.0, 1.0)
-    renderer.SetActiveCamera(camera)
-    renderer.SetUseDepthPeeling(True)
-    add_actor(renderer, occluders.GetOutputPort(), (0.75, 0.72, 0.66), opacity=0.5)
-    add_actor(renderer, light.GetOutputPort(), (1.0, 0.85, 0.3))
-    add_actor(renderer, geometry.GetOutputPort(0), (0.15, 0.35, 0.95), opacity=0.08)
-    add_actor(renderer, geometry.GetOutputPort(1), (0.9, 0.1, 0.1), opacity=0.8)
-    add_actor(renderer, arrows.GetOutputPort(), (0.0, 0.6, 0.1))
-
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetAlphaBitPlanes(True)
-    window.SetMultiSamples(0)
-    window.SetSize(*size)
-    window.AddRenderer(renderer)
-    renderer.ResetCameraClippingRange()
-    window.Render()
-
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    grab.Update()
-    write_png(grab.GetOutput(), path)

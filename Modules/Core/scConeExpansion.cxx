@@ -172,7 +172,7 @@ void ExpandCone(const ShadowVectorView& vectors, const std::vector<vtkIdType>& m
 {
   cone.Axis = MeanDirection(vectors, members);
   const double cosine = std::max(0.0, Dot(cone.Axis, cone.Normal));
-  cone.BaseRadius = options.CosineCorrection ? planeRadius * cosine : planeRadius;
+  cone.BaseRadius = options.RadiusScale * (options.CosineCorrection ? planeRadius * cosine : planeRadius);
 
   double outer = 0.0;
   PenumbraAngles(light, cone.Center, cone.Axis, cone.BaseRadius, outer, cone.InnerHalfAngle);

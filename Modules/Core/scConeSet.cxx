@@ -258,6 +258,10 @@ const char* CheckConeSetOptions(const ConeSetOptions& options)
   {
     return "ExpansionFraction must lie in 0..1";
   }
+  if (!(options.RadiusScale > 0.0))
+  {
+    return "RadiusScale must be above 0";
+  }
   return nullptr;
 }
 

@@ -92,6 +92,7 @@ struct ConeSetOptions
   bool CosineCorrection = true;      ///< base radius r cos(theta) (figure 5)
   ConeExpansion Expansion = ConeExpansion::MaximumDeviation;
   double ExpansionFraction = 1.0;    ///< HalfAngle is this share of the angle found, 0..1
+  double RadiusScale = 1.0;          ///< factor on the base radius, above 0
   bool Overlap = false;              ///< neighbours come from all vectors; covered ones only stop being seeds
 };
 

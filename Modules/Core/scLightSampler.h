@@ -9,6 +9,7 @@
 #include "scLight.h"
 #include "scSphericalEllipse.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -39,8 +40,8 @@ public:
     }
     this->Area = LightArea(light);
     // As scLight.h says: by solid angle within two radii of the sphere around a disc or rectangle.
-    this->NearSquared =
-      9.0 * (light.Shape == LightShape::Disc ? light.Radius * light.Radius : Dot(this->U, this->U) + Dot(this->V, this->V));
+    const bool disc = light.Shape == LightShape::Disc;
+    this->NearSquared = 9.0 * (disc ? light.Radius * light.Radius : Dot(this->U, this->U) + Dot(this->V, this->V));
   }
 
   void MoveTo(const Vector3& from)
@@ -90,28 +91,32 @@ public:
   }
 
 private:
-  /// The concentric map of Shirley and Chiu (1997); its angle stays within pi/4, where short series do for sine and cosine.
+  /// The concentric map of Shirley and Chiu (1997); its angle is at most pi/4: short series do for sine and cosine.
   static void MapToDisc(double& a, double& b)
   {
-    const bool horizontal = std::fabs(a) > std::fabs(b);
-    const double radius = horizontal ? a : b;
+    const double radius = std::max(std::fabs(a), std::fabs(b));
     if (radius == 0.0)
     {
       return;
     }
-    const double angle = 0.78539816339744830962 * (horizontal ? b / a : a / b);
+    const double angle = 0.78539816339744830962 * std::min(std::fabs(a), std::fabs(b)) / radius;
     const double x = angle * angle;
     const double sine = angle *
       (1.0 +
-        x * (-1.0 / 6 + x * (1.0 / 120 + x * (-1.0 / 5040 + x * (1.0 / 362880 + x * (-1.0 / 39916800 + x / 6227020800.0))))));
+        x *
+          (-1.0 / 6 +
+            x * (1.0 / 120 + x * (-1.0 / 5040 + x * (1.0 / 362880 + x * (-1.0 / 39916800 + x / 6227020800.0))))));
     const double cosine = 1.0 +
       x *
         (-0.5 +
           x *
             (1.0 / 24 +
               x * (-1.0 / 720 + x * (1.0 / 40320 + x * (-1.0 / 3628800 + x * (1.0 / 479001600 - x / 87178291200.0))))));
-    a = radius * (horizontal ? cosine : sine);
-    b = radius * (horizontal ? sine : cosine);
+    // Arithmetic instead of a branch that no processor can foresee.
+    const double horizontal = static_cast<double>(std::fabs(a) > std::fabs(b));
+    const double shift = (cosine - sine) * horizontal;
+    a = std::copysign(radius * (sine + shift), a);
+    b = std::copysign(radius * (cosine - shift), b);
   }
 
   const Light& Source;

@@ -16,8 +16,8 @@ namespace shadowcones
 {
 
 /**
- * The unit square cut into cells of equal area, one random point in each: a grid where the count has a factor near its root,
- * else rows of unequal length. The cells run row by row like a snake, so that neighbours in the list touch.
+ * The unit square cut into cells of equal area, one random point in each: a grid where the count has a factor near its
+ * root, else rows of unequal length. The cells run row by row like a snake, so that neighbours in the list touch.
  */
 class LightStrata
 {
@@ -60,7 +60,8 @@ public:
 
   /**
    * Squared standard error of the mean of one value a cell. On a grid from mixed differences of 2 x 2 cells, which see
-   * neither a level nor a slope, else from differences of neighbours, which overrate slopes. 0 for fewer than two cells.
+   * neither a level nor a slope, else from differences of neighbours, which overrate slopes. 0 for fewer than two
+   * cells.
    */
   double VarianceOfMean(const double* values) const
   {

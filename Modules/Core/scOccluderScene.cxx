@@ -151,6 +151,11 @@ struct OccluderScene::Implementation
     }
     query.Start = tMin;
     const Vector3 start = this->Scale * (origin + tMin * direction - this->Center);
+    // Embree stops the program at a ray that is not a number.
+    if (!IsFinite(start) || !IsFinite(direction))
+    {
+      return false;
+    }
     SetRay(query.Ray, start, direction, 0.0, (tMax - tMin) * this->Scale);
     return true;
   }

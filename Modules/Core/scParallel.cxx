@@ -31,7 +31,7 @@ bool ParallelFor(
   using Clock = std::chrono::steady_clock;
   constexpr double blockSeconds = 0.05;
 
-  vtkIdType block = std::min<vtkIdType>(count, 64);
+  vtkIdType block = std::min<vtkIdType>(count, 4);
   for (vtkIdType begin = 0; begin < count;)
   {
     if (monitor.IsAborted())

@@ -68,36 +68,49 @@ constexpr std::uint32_t OwenScramble(std::uint32_t x, std::uint32_t seed)
   return ReverseBits32(x);
 }
 
+/// Direction numbers of the Sobol sequence by Joe and Kuo (2008), dimensions 2 to 4, for 32 bits of the index.
+struct SobolDirections
+{
+  std::uint32_t Values[3][32] = {};
+
+  constexpr SobolDirections()
+  {
+    // Degree, polynomial, first numbers.
+    constexpr int degree[3] = { 1, 2, 3 };
+    constexpr std::uint32_t polynomial[3] = { 0, 1, 1 };
+    constexpr std::uint32_t first[3][3] = { { 1, 0, 0 }, { 1, 3, 0 }, { 1, 3, 1 } };
+    for (int d = 0; d < 3; ++d)
+    {
+      const int s = degree[d];
+      std::uint32_t* v = this->Values[d];
+      for (int k = 0; k < 32; ++k)
+      {
+        if (k < s)
+        {
+          v[k] = first[d][k] << (31 - k);
+          continue;
+        }
+        v[k] = v[k - s] ^ (v[k - s] >> s);
+        for (int j = 1; j < s; ++j)
+        {
+          v[k] ^= ((polynomial[d] >> (s - 1 - j)) & 1u) * v[k - j];
+        }
+      }
+    }
+  }
+};
+
 /// The index-th point of the four-dimensional Sobol sequence, Owen-scrambled by @p seed; each coordinate in [0, 1).
 inline std::array<double, 4> SobolPoint(std::uint64_t seed, std::uint32_t index)
 {
-  // Direction numbers of Joe and Kuo (2008), dimensions 2 to 4: degree, polynomial, first numbers.
-  constexpr int degree[3] = { 1, 2, 3 };
-  constexpr std::uint32_t polynomial[3] = { 0, 1, 1 };
-  constexpr std::uint32_t first[3][3] = { { 1, 0, 0 }, { 1, 3, 0 }, { 1, 3, 1 } };
-
+  static constexpr SobolDirections directions;
   std::uint32_t bits[4] = { ReverseBits32(index), 0, 0, 0 };
-  for (int d = 0; d < 3; ++d)
+  for (int k = 0; index != 0; ++k, index >>= 1)
   {
-    const int s = degree[d];
-    std::uint32_t v[32] = {};
-    for (int k = 0; k < 32; ++k)
-    {
-      if (k < s)
-      {
-        v[k] = first[d][k] << (31 - k);
-        continue;
-      }
-      v[k] = v[k - s] ^ (v[k - s] >> s);
-      for (int j = 1; j < s; ++j)
-      {
-        v[k] ^= ((polynomial[d] >> (s - 1 - j)) & 1u) * v[k - j];
-      }
-    }
-    for (int k = 0; k < 32; ++k)
-    {
-      bits[d + 1] ^= ((index >> k) & 1u) ? v[k] : 0u;
-    }
+    const std::uint32_t mask = 0u - (index & 1u);
+    bits[1] ^= mask & directions.Values[0][k];
+    bits[2] ^= mask & directions.Values[1][k];
+    bits[3] ^= mask & directions.Values[2][k];
   }
   std::array<double, 4> point{};
   for (int d = 0; d < 4; ++d)

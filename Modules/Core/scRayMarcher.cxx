@@ -108,8 +108,8 @@ void RayMarcher::FindStretches(double tBegin, double tEnd)
     {
       const std::size_t index = stretch.FirstNode + static_cast<std::size_t>(k);
       const double share = static_cast<double>(k) / stretch.NumberOfSteps;
-      this->Nodes[index].T = k == stretch.NumberOfSteps ? stretch.End
-                                                        : stretch.Begin + share * (stretch.End - stretch.Begin);
+      this->Nodes[index].T =
+        k == stretch.NumberOfSteps ? stretch.End : stretch.Begin + share * (stretch.End - stretch.Begin);
       this->Nodes[index].Key = static_cast<std::uint64_t>(index) << keyBits;
       this->Nodes[index].Slot = index;
     }
@@ -156,8 +156,7 @@ void RayMarcher::Evaluate(Node& node)
     if (sample.Weight > 0.0)
     {
       this->OcclusionRays += testOcclusion ? 1 : 0;
-      if (!testOcclusion ||
-        !scene.Occluders.Occluded(point, sample.Direction, epsilon, sample.Distance - epsilon))
+      if (!testOcclusion || !scene.Occluders.Occluded(point, sample.Direction, epsilon, sample.Distance - epsilon))
       {
         const double cosine = Dot(sample.Direction, this->Ray.Direction);
         const double source = sample.Weight * EvaluatePhaseFunction(scene.Fog.Phase, cosine);

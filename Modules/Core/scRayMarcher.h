@@ -31,8 +31,8 @@ struct MarchScene
 };
 
 /**
- * Marches rays, one after the other; one marcher a thread. Random numbers are a pure function of (Seed, pixel, node), where
- * a node's key is its dyadic place on the ray: Medium takes the very samples of BruteForce.
+ * Marches rays, one after the other; one marcher a thread. Random numbers are a pure function of (Seed, pixel, node),
+ * where a node's key is its dyadic place on the ray: Medium takes the very samples of BruteForce.
  */
 class RayMarcher
 {

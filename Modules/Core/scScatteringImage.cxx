@@ -39,8 +39,8 @@ public:
   void Render(const Camera& camera, int i, int j, std::size_t index, ScatteringImage& image)
   {
     const ScatteringOptions& options = this->Scene.Options;
-    const auto pixel = static_cast<std::uint64_t>(j) * static_cast<std::uint64_t>(options.Width) +
-      static_cast<std::uint64_t>(i);
+    const auto pixel =
+      static_cast<std::uint64_t>(j) * static_cast<std::uint64_t>(options.Width) + static_cast<std::uint64_t>(i);
     const Camera::Ray ray = camera.PixelRay(i, j, options.Width, options.Height);
     const std::size_t wavelengths = this->Scene.Groups.GroupOf.size();
     float* inScattering = image.InScattering.data() + index * wavelengths;
@@ -193,8 +193,8 @@ private:
       return options.Reflectance;
     }
     const auto components = static_cast<std::size_t>(options.ReflectanceComponents);
-    return options.SurfaceReflectance[static_cast<std::size_t>(triangle) * components +
-      (components > 1 ? wavelength : 0)];
+    return options
+      .SurfaceReflectance[static_cast<std::size_t>(triangle) * components + (components > 1 ? wavelength : 0)];
   }
 
   void AddLight(const Camera::Ray& ray, double tSurface, float* radiance) const
@@ -209,8 +209,8 @@ private:
     const double length = LengthInside(this->Scene.Fog.Bounds, ray.Origin, ray.Direction, t);
     for (std::size_t k = 0; k < this->Scene.Groups.GroupOf.size(); ++k)
     {
-      radiance[k] += static_cast<float>(
-        scale * this->Scene.LightSource.Spectrum[k] * TransmittanceOver(this->SigmaT(k), length));
+      radiance[k] +=
+        static_cast<float>(scale * this->Scene.LightSource.Spectrum[k] * TransmittanceOver(this->SigmaT(k), length));
     }
   }
 

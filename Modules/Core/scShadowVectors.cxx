@@ -278,36 +278,87 @@ bool TraceRange(const PhotonTracer& tracer, vtkIdType begin, vtkIdType end, cons
   return finished;
 }
 
-/// The number of photons after which the target is met, or the limit.
-bool CountPhotons(const PhotonTracer& tracer, vtkIdType target, const Monitor& monitor, vtkIdType& photons)
+/// Trace photons from 0 on until the target is met or the limit reached: @p photons are enough, @p traced were traced.
+bool TraceUntil(const PhotonTracer& tracer, vtkIdType target, const Monitor& monitor, ShadowVectorResult& result,
+  vtkIdType& photons, vtkIdType& traced)
 {
   constexpr vtkIdType largest = 0xFFFFFFFFll; // indices of the Sobol sequence have 32 bits
   const vtkIdType limit = std::min(target, largest / photonsPerVectorLimit) * photonsPerVectorLimit;
-  vtkIdType vectors = 0;
   double done = 0.0; // each range takes half of the progress that is left: nobody knows how many there will be
-  for (photons = 0; photons < limit;)
+  const std::vector<vtkIdType>& indices = result.Vectors.PhotonIndices;
+  for (traced = 0; traced < limit;)
   {
-    // Guess what is missing from the yield so far; the last range is cut where the target is met.
-    const double yield = photons > 0 ? std::max<double>(vectors, 1) / photons : 0.5;
-    const auto guess = static_cast<vtkIdType>(1.02 * (target - vectors) / yield);
-    const vtkIdType end = std::min(limit, photons + std::clamp<vtkIdType>(guess, photonsPerTask, 1 << 20));
-    ShadowVectorResult range;
-    if (!TraceRange(tracer, photons, end, monitor.Part(done, 0.5 * (done + 0.5)), range))
+    // Guess what is missing from the yield so far.
+    const auto found = static_cast<double>(indices.size());
+    const double yield = traced > 0 ? std::max(found, 1.0) / static_cast<double>(traced) : 0.5;
+    const double guess = std::min(1.02 * (static_cast<double>(target) - found) / yield, double(1 << 20));
+    const vtkIdType end = std::min(limit, traced + std::max(static_cast<vtkIdType>(guess), photonsPerTask));
+    const double next = 0.5 * (done + 1.0);
+    if (!TraceRange(tracer, traced, end, monitor.Part(done, next), result))
     {
       return false;
     }
-    const std::vector<vtkIdType>& indices = range.Vectors.PhotonIndices;
-    const auto found = static_cast<vtkIdType>(indices.size());
-    if (vectors + found >= target)
+    done = next;
+    traced = end;
+    if (static_cast<vtkIdType>(indices.size()) >= target)
     {
-      photons = indices[static_cast<std::size_t>(target - vectors - 1)] + 1;
+      photons = indices[static_cast<std::size_t>(target - 1)] + 1;
       return true;
     }
-    vectors += found;
-    photons = end;
-    done = 0.5 * (done + 0.5);
   }
+  photons = traced;
   return true;
+}
+
+template <typename T>
+void KeepRange(std::vector<T>& values, std::size_t components, std::size_t begin, std::size_t end)
+{
+  values.erase(values.begin() + static_cast<std::ptrdiff_t>(components * end), values.end());
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(components * begin));
+}
+
+/// Drop what photons outside [first, last) left behind.
+void KeepPhotons(ShadowVectorResult& result, vtkIdType first, vtkIdType last)
+{
+  const auto range = [first, last](const std::vector<vtkIdType>& indices) {
+    return std::make_pair(
+      static_cast<std::size_t>(std::lower_bound(indices.begin(), indices.end(), first) - indices.begin()),
+      static_cast<std::size_t>(std::lower_bound(indices.begin(), indices.end(), last) - indices.begin()));
+  };
+  {
+    ShadowVectors& v = result.Vectors;
+    const auto [begin, end] = range(v.PhotonIndices);
+    KeepRange(v.Points, 3, begin, end);
+    KeepRange(v.Directions, 3, begin, end);
+    KeepRange(v.Normals, 3, begin, end);
+    KeepRange(v.OccluderIds, 1, begin, end);
+    KeepRange(v.EmissionPoints, 3, begin, end);
+    KeepRange(v.PathLengths, 1, begin, end);
+    KeepRange(v.Thicknesses, 1, begin, end);
+    KeepRange(v.PhotonIndices, 1, begin, end);
+  }
+  {
+    PhotonPaths& p = result.Paths;
+    const auto [begin, end] = range(p.PhotonIndices);
+    KeepRange(p.Points, 3, begin, end);
+    KeepRange(p.States, 1, begin, end);
+    KeepRange(p.OccluderIds, 1, begin, end);
+    KeepRange(p.EmissionPoints, 3, begin, end);
+    KeepRange(p.Directions, 3, begin, end);
+    KeepRange(p.Powers, 1, begin, end);
+    KeepRange(p.PhotonIndices, 1, begin, end);
+  }
+  {
+    ShadowPhotons& p = result.Photons;
+    const auto [begin, end] = range(p.PhotonIndices);
+    KeepRange(p.Points, 3, begin, end);
+    KeepRange(p.Normals, 3, begin, end);
+    KeepRange(p.Directions, 3, begin, end);
+    KeepRange(p.Powers, 1, begin, end);
+    KeepRange(p.OccluderIds, 1, begin, end);
+    KeepRange(p.ReceiverIds, 1, begin, end);
+    KeepRange(p.PhotonIndices, 1, begin, end);
+  }
 }
 
 } // anonymous namespace
@@ -362,20 +413,33 @@ bool TraceShadowVectors(const OccluderScene& scene, const Light& light, const Sh
 {
   result = {};
   const PhotonTracer tracer(scene, light, options);
-  const bool search = options.TargetNumberOfVectors > 0;
-  result.NumberOfPhotons = options.NumberOfPhotons;
-  if (search && !CountPhotons(tracer, options.TargetNumberOfVectors, monitor, result.NumberOfPhotons))
+  vtkIdType photons = options.NumberOfPhotons;
+  vtkIdType traced = 0;
+  if (options.TargetNumberOfVectors > 0)
   {
-    return false;
+    // Every piece has to find out how many photons the whole takes.
+    if (!TraceUntil(tracer, options.TargetNumberOfVectors, monitor, result, photons, traced))
+    {
+      return false;
+    }
+    KeepPhotons(result, PieceBound(photons, options.Piece, options.NumberOfPieces),
+      PieceBound(photons, options.Piece + 1, options.NumberOfPieces));
+    if (monitor.Progress)
+    {
+      monitor.Progress(1.0);
+    }
   }
-
-  const vtkIdType photons = result.NumberOfPhotons;
-  const vtkIdType begin = PieceBound(photons, options.Piece, options.NumberOfPieces);
-  const vtkIdType end = PieceBound(photons, options.Piece + 1, options.NumberOfPieces);
-  if (!TraceRange(tracer, begin, end, monitor.Part(search ? 0.5 : 0.0, 1.0), result))
+  else
   {
-    return false;
+    const vtkIdType begin = PieceBound(photons, options.Piece, options.NumberOfPieces);
+    const vtkIdType end = PieceBound(photons, options.Piece + 1, options.NumberOfPieces);
+    if (!TraceRange(tracer, begin, end, monitor, result))
+    {
+      return false;
+    }
+    traced = end - begin;
   }
+  result.NumberOfPhotons = photons;
 
   if (photons > 0)
   {
@@ -389,7 +453,7 @@ bool TraceShadowVectors(const OccluderScene& scene, const Light& light, const Sh
       power *= share;
     }
   }
-  result.MeanSolidAngle = end > begin ? result.MeanSolidAngle / static_cast<double>(end - begin) : 0.0;
+  result.MeanSolidAngle = traced > 0 ? result.MeanSolidAngle / static_cast<double>(traced) : 0.0;
   return true;
 }
 

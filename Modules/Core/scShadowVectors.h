@@ -74,7 +74,7 @@ struct ShadowVectorResult
   PhotonPaths Paths;
   ShadowPhotons Photons;
   vtkIdType NumberOfPhotons = 0; ///< emitted by all pieces together
-  double MeanSolidAngle = 0.0;   ///< sr, mean over the photons, into which they were aimed: the occluders' bounds
+  double MeanSolidAngle = 0.0;   ///< sr, into which photons were aimed, mean over those traced
 };
 
 /**

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scSphericalEllipse.h
- * @brief The solid angle under which a disc is seen, and the uniform map onto it (Guillen et al., EGSR 2017, radial map).
+ * @brief The solid angle under which a disc is seen, and the uniform map onto it (Guillen et al., EGSR 2017, radial)
  *
- * The cone through a circle is elliptic. Let l0 and l1 be the distances from the eye to the nearest and the farthest point
- * of the rim; its half angles are then sin(alpha) = 2 R / (l0 + l1) across and sin(2 beta) = 2 h R / (l0 l1) in the plane
- * of eye, centre and normal, and cos(alpha) / cos(beta) = 2 sqrt(l0 l1) / (l0 + l1). With the eccentric angle chi, in
- * which the rim's direction is (sin(alpha) cos(chi), sin(beta) sin(chi), w), the solid angle is
- *   sin(alpha) sin(beta) * integral over 2 pi of d chi / (1 + w),  w^2 = cos^2(alpha) cos^2(chi) + cos^2(beta) sin^2(chi):
+ * The cone through a circle is elliptic. Let l0 and l1 be the distances from the eye to the nearest and the farthest
+ * point of the rim; its half angles are then sin(alpha) = 2 R / (l0 + l1) across and sin(2 beta) = 2 h R / (l0 l1) in
+ * the plane of eye, centre and normal, and cos(alpha) / cos(beta) = 2 sqrt(l0 l1) / (l0 + l1). With the eccentric angle
+ * chi, in which the rim's direction is (sin(alpha) cos(chi), sin(beta) sin(chi), w), the solid angle is
+ *   sin(alpha) sin(beta) * integral over 2 pi of d chi / (1 + w),
+ *   w^2 = cos^2(alpha) cos^2(chi) + cos^2(beta) sin^2(chi):
  * no differences of nearly equal numbers, however small or near the disc. Internal to Core.
  */
 #ifndef scSphericalEllipse_h

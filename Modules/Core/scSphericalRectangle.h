@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scSphericalRectangle.h
- * @brief The solid angle under which a rectangle is seen, and the uniform map onto it (Urena, Fajardo, King, EGSR 2013).
+ * @brief The solid angle under which a rectangle is seen, and the uniform map onto it (Urena, Fajardo, King, EGSR
+ * 2013).
  *
- * The map subtracts angles of the order of pi, so that below MinimumSolidAngle its digits run out: sample by area there.
- * The solid angle itself keeps its relative precision at any size. Internal to Core.
+ * The map subtracts angles of the order of pi, so that below MinimumSolidAngle its digits run out: sample by area
+ * there. The solid angle itself keeps its relative precision at any size. Internal to Core.
  */
 #ifndef scSphericalRectangle_h
 #define scSphericalRectangle_h
@@ -19,8 +20,9 @@ namespace shadowcones
 {
 
 /**
- * Solid angle of the triangle with these corners seen from the origin (Van Oosterom and Strackee 1983), >= 0. The caller
- * gives |a . (b x c)|, from the triangle's edges: from the corners it would cancel for a small or distant triangle.
+ * Solid angle of the triangle with these corners seen from the origin (Van Oosterom and Strackee 1983), >= 0. The
+ * caller gives |a . (b x c)|, from the triangle's edges: from the corners it would cancel for a small or distant
+ * triangle.
  */
 inline double TriangleSolidAngle(double volume, const Vector3& a, const Vector3& b, const Vector3& c)
 {
@@ -41,6 +43,10 @@ public:
   {
     const double halfU = Length(axisU);
     const double halfV = Length(axisV);
+    if (!(halfU > 0.0 && halfV > 0.0))
+    {
+      return;
+    }
     this->X = (1.0 / halfU) * axisU;
     this->Y = (1.0 / halfV) * axisV;
     this->Z = normal;

@@ -22,8 +22,8 @@ public:
   explicit VisibleLight(const Light& light);
 
   /**
-   * Does the ray meet the light at a distance below @p tMax? @p t receives the distance (Sun: infinity), @p scale what the
-   * light's spectrum is multiplied by to give radiance.
+   * Does the ray meet the light at a distance below @p tMax? @p t receives the distance (Sun: infinity), @p scale what
+   * the light's spectrum is multiplied by to give radiance.
    */
   bool Intersect(const Vector3& origin, const Vector3& direction, double tMax, double& t, double& scale) const;
 

@@ -604,6 +604,23 @@ bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& e
   return true;
 }
 
+bool CheckPointArrays(vtkPolyData* input, std::string& error)
+{
+  vtkPointData* data = input->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const vtkIdType tuples = data->GetAbstractArray(i)->GetNumberOfTuples();
+    if (tuples < input->GetNumberOfPoints())
+    {
+      const char* name = data->GetAbstractArray(i)->GetName();
+      error = std::string("The point array \"") + (name ? name : "") + "\" has " + Number(tuples) + " tuples where " +
+        Number(input->GetNumberOfPoints()) + " are needed.";
+      return false;
+    }
+  }
+  return true;
+}
+
 void AddFloatArray(vtkFieldData* data, const char* name, int components, const std::vector<float>& values)
 {
   AddArray<vtkFloatArray>(data, name, components, values);

@@ -90,6 +90,9 @@ struct SHADOWCONESFILTERS_EXPORT PhotonPathArrays
  */
 SHADOWCONESFILTERS_EXPORT bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& error);
 
+/// Every point array has a value for each point, so that it can be passed on. @return false, with a sentence in @p error.
+SHADOWCONESFILTERS_EXPORT bool CheckPointArrays(vtkPolyData* input, std::string& error);
+
 /// A new named array with a copy of values, components a tuple; types as in the name.
 SHADOWCONESFILTERS_EXPORT void AddFloatArray(
   vtkFieldData* data, const char* name, int components, const std::vector<float>& values);

@@ -53,10 +53,10 @@ inline void HandlePieces(vtkInformationVector* outputVector)
   }
 }
 
-/// Ask every input for all of its data.
-inline void RequestWholeInputs(vtkAlgorithm* algorithm, vtkInformationVector** inputVector)
+/// Ask every input from @p firstPort on for all of its data.
+inline void RequestWholeInputs(vtkAlgorithm* algorithm, vtkInformationVector** inputVector, int firstPort = 0)
 {
-  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  for (int port = firstPort; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
     {

@@ -132,7 +132,7 @@ int vtkConeSetFilter::RequestData(
   Light light;
   std::string error;
   const bool hasShape = vectorInput->GetFieldData()->GetAbstractArray("LightShape") != nullptr;
-  if (!ReadShadowVectors(vectorInput, vectors, error, !hasShape) ||
+  if (!ReadShadowVectors(vectorInput, vectors, error, !hasShape) || !CheckPointArrays(vectorInput, error) ||
     (pathInput && !ReadPhotonPaths(pathInput, paths, error)) ||
     (vectorInput->GetNumberOfPoints() > 0 && !ReadLightExtent(vectorInput, vectors, extent, light, error)))
   {

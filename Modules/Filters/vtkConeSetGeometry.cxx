@@ -99,6 +99,17 @@ private:
   vtkNew<vtkFloatArray> Normals;
   vtkNew<vtkIdTypeArray> ConeIds;
 };
+
+/// The set's own size; what a plane or box cuts may reach further. A single cone has no size but its base's.
+double AutomaticLength(vtkPolyData* coneSet, const std::vector<Cone>& cones, int cut)
+{
+  double size = coneSet->GetLength();
+  for (std::size_t i = 0; i < cones.size() && !(coneSet->GetLength() > 0.0); ++i)
+  {
+    size = std::max(size, 10.0 * cones[i].BaseRadius);
+  }
+  return (cut == vtkConeSetGeometry::CUT_LENGTH ? 1.0 : 4.0) * size;
+}
 } // anonymous namespace
 
 vtkStandardNewMacro(vtkConeSetGeometry);
@@ -129,7 +140,7 @@ int vtkConeSetGeometry::RequestData(
 
   std::vector<Cone> cones;
   std::string error;
-  if (!ReadConeSet(input, cones, error))
+  if (!ReadConeSet(input, cones, error) || !CheckPointArrays(input, error))
   {
     vtkErrorMacro(<< error);
     return 0;
@@ -144,16 +155,31 @@ int vtkConeSetGeometry::RequestData(
     vtkErrorMacro("Cut is " << this->Cut << "; it must be 0 (Length), 1 (Plane) or 2 (Box).");
     return 0;
   }
+  if (!(this->Length >= 0.0))
+  {
+    vtkErrorMacro("Length is " << this->Length << "; it must be 0 (automatic) or more.");
+    return 0;
+  }
+  for (int axis = 0; axis < 3 && this->Cut == CUT_BOX; ++axis)
+  {
+    if (!(this->BoxBounds[2 * axis] <= this->BoxBounds[2 * axis + 1]))
+    {
+      vtkErrorMacro("BoxBounds along " << "xyz"[axis] << " run from " << this->BoxBounds[2 * axis] << " to "
+        << this->BoxBounds[2 * axis + 1] << "; they must ascend.");
+      return 0;
+    }
+  }
   ConeCut cut;
   cut.Where = static_cast<ConeCut::Kind>(this->Cut);
-  cut.Length = this->Length > 0.0 ? this->Length : (this->Cut == CUT_LENGTH ? 1.0 : 4.0) * input->GetLength();
+  cut.Length = this->Length > 0.0 ? this->Length : AutomaticLength(input, cones, this->Cut);
   cut.PlaneOrigin = { this->PlaneOrigin[0], this->PlaneOrigin[1], this->PlaneOrigin[2] };
   cut.PlaneNormal = Normalized({ this->PlaneNormal[0], this->PlaneNormal[1], this->PlaneNormal[2] });
   cut.Bounds = { { this->BoxBounds[0], this->BoxBounds[2], this->BoxBounds[4] },
     { this->BoxBounds[1], this->BoxBounds[3], this->BoxBounds[5] } };
   if (cut.Where == ConeCut::Kind::Plane && !(Dot(cut.PlaneNormal, cut.PlaneNormal) > 0.5))
   {
-    vtkErrorMacro("PlaneNormal is (0, 0, 0): a plane needs a direction.");
+    vtkErrorMacro("PlaneNormal is (" << this->PlaneNormal[0] << ", " << this->PlaneNormal[1] << ", " << this->PlaneNormal[2]
+      << "): a plane needs a direction.");
     return 0;
   }
 

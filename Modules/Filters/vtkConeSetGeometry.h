@@ -47,7 +47,7 @@ public:
 
   ///@{
   /// Length along the axis, world units, 0 or more; with Plane and Box the longest that they leave. 0: the diagonal of the cone
-  /// set's bounds, four diagonals with Plane and Box. Default 0.
+  /// set's bounds (of a single cone ten base radii), with Plane and Box four times that. Default 0.
   vtkSetMacro(Length, double);
   vtkGetMacro(Length, double);
   ///@}
@@ -65,7 +65,7 @@ public:
   ///@}
 
   ///@{
-  /// The box that cuts: xmin, xmax, ymin, ymax, zmin, zmax. Default -1, 1 on each axis.
+  /// The box that cuts: xmin, xmax, ymin, ymax, zmin, zmax, ascending. Default -1, 1 on each axis.
   vtkSetVector6Macro(BoxBounds, double);
   vtkGetVector6Macro(BoxBounds, double);
   ///@}

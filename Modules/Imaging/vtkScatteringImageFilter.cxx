@@ -10,6 +10,7 @@
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -19,12 +20,14 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -80,10 +83,27 @@ void AddDouble(vtkFieldData* data, const char* name, double value)
   shadowcones::AddDoubleArray(data, name, 1, { value });
 }
 
-/// Linear radiance of every pixel to sRGB bytes.
-vtkSmartPointer<vtkUnsignedCharArray> ToneMap(const std::vector<float>& radiance, int wavelengths, double exposure)
+/// The light's wavelengths in nm where it says so, else the default ones for its number of samples.
+std::vector<double> ReadWavelengths(vtkPolyData* light, std::size_t count)
 {
-  const auto matrix = shadowcones::SpectrumToLinearSrgb(shadowcones::DefaultWavelengths(wavelengths));
+  vtkDataArray* array = light->GetFieldData()->GetArray("LightWavelengths");
+  std::vector<double> wavelengths = shadowcones::DefaultWavelengths(static_cast<int>(count));
+  if (array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == static_cast<vtkIdType>(count))
+  {
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      wavelengths[k] = array->GetComponent(static_cast<vtkIdType>(k), 0);
+    }
+  }
+  return wavelengths;
+}
+
+/// Linear radiance of every pixel to sRGB bytes.
+vtkSmartPointer<vtkUnsignedCharArray> ToneMap(
+  const std::vector<float>& radiance, const std::vector<double>& wavelengthsInNm, double exposure)
+{
+  const auto matrix = shadowcones::SpectrumToLinearSrgb(wavelengthsInNm);
+  const auto wavelengths = static_cast<int>(wavelengthsInNm.size());
   const auto pixels = static_cast<vtkIdType>(radiance.size() / static_cast<std::size_t>(wavelengths));
   auto rgb = vtkSmartPointer<vtkUnsignedCharArray>::New();
   rgb->SetName("RGB");
@@ -117,6 +137,7 @@ struct vtkScatteringImageFilter::Scene
   shadowcones::TriangleMesh Mesh;
   shadowcones::Box MeshBounds;
   shadowcones::Light Light;
+  std::vector<double> Wavelengths; ///< nm
   std::vector<shadowcones::Cone> Cones;
   shadowcones::Medium Medium;
   shadowcones::Camera Camera;
@@ -252,7 +273,8 @@ int vtkScatteringImageFilter::RequestInformation(
 {
   if (this->Resolution[0] < 1 || this->Resolution[1] < 1)
   {
-    vtkErrorMacro("Resolution is " << this->Resolution[0] << " x " << this->Resolution[1] << ": both must be at least 1.");
+    vtkErrorMacro(
+      "Resolution is " << this->Resolution[0] << " x " << this->Resolution[1] << ": both must be at least 1.");
     return 0;
   }
   const int whole[6] = { 0, this->Resolution[0] - 1, 0, this->Resolution[1] - 1, 0, 0 };
@@ -293,8 +315,9 @@ bool vtkScatteringImageFilter::CheckParameters()
   }
   else if (this->PhaseFunction < Isotropic || this->PhaseFunction > Rayleigh)
   {
-    vtkErrorMacro("PhaseFunction is " << this->PhaseFunction
-                                      << ": it must be Isotropic (0), BlasiSchlick (1), HenyeyGreenstein (2) or Rayleigh (3).");
+    vtkErrorMacro(
+      "PhaseFunction is " << this->PhaseFunction
+                          << ": it must be Isotropic (0), BlasiSchlick (1), HenyeyGreenstein (2) or Rayleigh (3).");
   }
   else if (!(this->PhaseLobes[0] >= 0.0 && this->PhaseLobes[0] <= 1.0) || !between(this->PhaseLobes[1], -1.0, 1.0) ||
     !between(this->PhaseLobes[2], -1.0, 1.0))
@@ -366,6 +389,7 @@ bool vtkScatteringImageFilter::ReadInputs(vtkInformationVector** inputs, Scene& 
     vtkErrorMacro("Light (input port 1): " << error);
     return false;
   }
+  scene.Wavelengths = ReadWavelengths(light, scene.Light.Spectrum.size());
 
   if (this->Mode != BruteForce)
   {
@@ -373,8 +397,8 @@ bool vtkScatteringImageFilter::ReadInputs(vtkInformationVector** inputs, Scene& 
     if (!cones)
     {
       vtkErrorMacro("Mode is " << (this->Mode == Medium ? "Medium" : "Fast")
-                               << " but there is no cone set: connect a vtkConeSetFilter with SetConeSetConnection(), or "
-                                  "use SetModeToBruteForce().");
+                               << " but there is no cone set: connect a vtkConeSetFilter with "
+                                  "SetConeSetConnection(), or use SetModeToBruteForce().");
       return false;
     }
     if (!shadowcones::ReadConeSet(cones, scene.Cones, error))
@@ -397,8 +421,8 @@ bool vtkScatteringImageFilter::ReadReflectance(vtkInformationVector** inputs, Sc
   const auto wavelengths = static_cast<int>(scene.Light.Spectrum.size());
   if (components != 1 && components != wavelengths)
   {
-    vtkErrorMacro("Cell array \"Reflectance\" of the mesh has " << components << " components: it must have 1, or "
-                                                                << wavelengths << " as the light has wavelength samples.");
+    vtkErrorMacro("Cell array \"Reflectance\" of the mesh has "
+      << components << " components: it must have 1, or " << wavelengths << " as the light has wavelength samples.");
     return false;
   }
   shadowcones::ScatteringOptions& options = scene.Options;
@@ -411,8 +435,8 @@ bool vtkScatteringImageFilter::ReadReflectance(vtkInformationVector** inputs, Sc
       const double value = array->GetComponent(cell, c);
       if (!(value >= 0.0 && value <= 1.0))
       {
-        vtkErrorMacro("Cell array \"Reflectance\" of the mesh is " << value << " at cell " << cell
-                                                                   << ": it must be in 0..1.");
+        vtkErrorMacro(
+          "Cell array \"Reflectance\" of the mesh is " << value << " at cell " << cell << ": it must be in 0..1.");
         return false;
       }
       options.SurfaceReflectance.push_back(static_cast<float>(value));
@@ -479,8 +503,9 @@ bool vtkScatteringImageFilter::ReadMedium(vtkInformationVector** inputs, Scene& 
   {
     if (!(b[2 * axis] <= b[2 * axis + 1]) || !std::isfinite(b[2 * axis]) || !std::isfinite(b[2 * axis + 1]))
     {
-      vtkErrorMacro("MediumBounds along " << "xyz"[axis] << " run from " << b[2 * axis] << " to " << b[2 * axis + 1]
-                                          << ": they must be finite and in ascending order.");
+      vtkErrorMacro("MediumBounds along "
+        << "xyz"[axis] << " run from " << b[2 * axis] << " to " << b[2 * axis + 1]
+        << ": they must be finite and in ascending order.");
       return false;
     }
   }
@@ -548,6 +573,7 @@ int vtkScatteringImageFilter::RequestData(
 {
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
+  output->Initialize(); // the executive keeps the last image's scalars: none are left after an error or an abort
   int extent[6];
   outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   if (extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5])
@@ -622,7 +648,7 @@ void vtkScatteringImageFilter::WriteOutput(
   shadowcones::AddFloatArray(points, "Depth", 1, image.Depth);
   shadowcones::AddFloatArray(points, "RelativeError", 1, image.RelativeError);
   shadowcones::AddIntArray(points, "SampleCount", 1, image.SampleCount);
-  points->SetScalars(ToneMap(image.Radiance, wavelengths, this->Exposure));
+  points->SetScalars(ToneMap(image.Radiance, scene.Wavelengths, this->Exposure));
 
   vtkFieldData* field = output->GetFieldData();
   AddInt(field, "Mode", this->Mode);

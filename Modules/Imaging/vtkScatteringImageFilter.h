@@ -4,48 +4,54 @@
  * @brief The light shafts that a camera sees in a participating medium lit by an area light.
  *
  * Every pixel's ray is marched through the part of a homogeneous medium that lies before the first surface: single
- * scattering of the light's radiance towards the camera, attenuated on both legs, over fresh stratified points of the light
- * at every march sample. Intervals of the march are halved where the intensity differs too much between their ends. A cone
- * set tells where shadows are, and the three modes use it as Hougs and Day do ("Piecewise Constant Conic Sections for
- * Accelerated Volume Density Rendering", section 4.3):
+ * scattering of the light's radiance towards the camera, attenuated on both legs, over fresh stratified points of the
+ * light at every march sample. Intervals of the march are halved where the intensity differs too much between their
+ * ends. A cone set tells where shadows are, and the three modes use it as Hougs and Day do ("Piecewise Constant Conic
+ * Sections for Accelerated Volume Density Rendering", section 4.3):
  *
  * - BruteForce: occlusion rays from every march sample. Needs no cones.
- * - Medium: the same samples, occlusion rays only inside the cones. Where the cones bound the shadow the image has the very
- *   bytes of BruteForce; where they do not, light leaks into it.
+ * - Medium: the same samples, occlusion rays only inside the cones. Where the cones bound the shadow the image has the
+ *   very bytes of BruteForce; where they do not, light leaks into it.
  * - Fast: no occlusion ray at all; lit outside the cones, dark inside. Cones of full angle darken far too much: see
  *   vtkConeSetFilter's ExpansionFraction. Surfaces are dark inside the cones of *other* occluders than their own.
  *
- * Surfaces are diffuse and alike on both sides, lit directly by the light; BruteForce and Medium trace their shadows with
- * rays. There is no multiple scattering and no light from surface to surface.
+ * Surfaces are diffuse and alike on both sides, lit directly by the light; BruteForce and Medium trace their shadows
+ * with rays. There is no multiple scattering and no light from surface to surface.
  *
  * Input ports:
  * - 0, vtkPolyData: the mesh that casts and receives shadows; polygons and strips. Cell data "OccluderId" (int, 1
- *   component, optional), "Reflectance" (1 component or one a wavelength sample, 0..1, optional). It may be empty: the image
- *   then shows the medium without shadows.
- * - 1, vtkPolyData: the light, from vtkAreaLightSource or any mesh of polygons, which emit along their normals.
+ *   component, optional), "Reflectance" (1 component or one a wavelength sample, 0..1, optional). It may be empty: the
+ *   image then shows the medium without shadows.
+ * - 1, vtkPolyData: the light, from vtkAreaLightSource or any mesh of polygons, which emit along their normals. Field
+ *   data "LightWavelengths" (nm, one a wavelength sample) gives "RGB" its colours; without it equal bins from 400 to
+ *   700 nm.
  * - 2, vtkPolyData, optional: the cone set of vtkConeSetFilter. Needed by Medium and Fast.
  *
- * Output port 0, vtkImageData of Resolution[0] x Resolution[1] x 1 points; point (i, j) is a pixel, j upwards. Point data:
- * - "Radiance" (float, one component a wavelength sample, W m^-2 sr^-1): InScattering + SurfaceRadiance + the light itself.
+ * Output port 0, vtkImageData of Resolution[0] x Resolution[1] x 1 points; point (i, j) is a pixel, j upwards. Point
+ * data:
+ * - "Radiance" (float, one component a wavelength sample, W m^-2 sr^-1): InScattering + SurfaceRadiance + the light
+ *   itself.
  * - "InScattering" (float, one component a wavelength sample): the medium term alone.
  * - "SurfaceRadiance" (float, one component a wavelength sample): of the first surface, as seen through the medium.
- * - "Transmittance" (float, one component a wavelength sample, 0..1): of the medium to the first surface, or all through it.
+ * - "Transmittance" (float, one component a wavelength sample, 0..1): of the medium to the first surface, or all
+ *   through it.
  * - "Depth" (float, world units): along the ray to the first surface; -1 where there is none.
- * - "RelativeError" (float): one standard error of InScattering over its value, mean over wavelengths, from the differences
- *   between light samples; the steps of the march are not in it. 0 where nothing scatters, -1 with one light sample.
+ * - "RelativeError" (float): one standard error of InScattering over its value, mean over wavelengths, from the
+ *   differences between light samples; the steps of the march are not in it. 0 where nothing scatters, -1 with one
+ *   light sample.
  * - "SampleCount" (int): light samples taken for the medium term.
  * - "RGB" (unsigned char, 3 components, the active scalars): Radiance times Exposure as sRGB; equal energy is white.
  *
- * Field data: "Mode" (int), "Seed" (int), "NumberOfOcclusionRays" (vtkIdType; of this extent), "RenderSeconds" (double; the
- * one array that differs from run to run), "CameraPosition", "CameraFocalPoint", "CameraViewUp" (double, 3 components),
- * "CameraViewAngle" (double, degrees), "CameraParallelProjection" (int), "CameraParallelScale" (double), "SigmaS", "SigmaA"
- * (double, one component a wavelength sample), "MediumBounds" (double, 6 components).
+ * Field data: "Mode" (int), "Seed" (int), "NumberOfOcclusionRays" (vtkIdType; of this extent), "RenderSeconds" (double;
+ * the one array that differs from run to run), "CameraPosition", "CameraFocalPoint", "CameraViewUp" (double, 3
+ * components), "CameraViewAngle" (double, degrees), "CameraParallelProjection" (int), "CameraParallelScale" (double),
+ * "SigmaS", "SigmaA" (double, one component a wavelength sample), "MediumBounds" (double, 6 components).
  *
  * The bytes are the same for any number of threads and for any division into extents.
  *
- * @warning The march has a finite step: light near a lamp inside the medium, and shafts thinner than the medium's length
- * over NumberOfSteps 2^MaximumDepth, want more steps. Near and far clipping planes, window centre, view shear and lens
- * parameters of the camera are not used.
+ * @warning The march has a finite step: light near a lamp inside the medium, and shafts thinner than the medium's
+ * length over NumberOfSteps, want more steps. Near and far clipping planes, window centre, view shear
+ * and lens parameters of the camera are not used.
  *
  * @sa vtkConeSetFilter vtkAreaLightSource vtkLabelOccluders
  */
@@ -100,9 +106,9 @@ public:
 
   ///@{
   /**
-   * The camera: position, focal point, view up, view angle (vertical, or horizontal where the camera says so) and parallel
-   * projection with its scale. Its changes re-run the filter. Default: none, which looks along -z at the sphere around the
-   * mesh's bounds (without a mesh: the medium's) with a view angle of 30 degrees.
+   * The camera: position, focal point, view up, view angle (vertical, or horizontal where the camera says so) and
+   * parallel projection with its scale. Its changes re-run the filter. Default: none, which looks along -z at the
+   * sphere around the mesh's bounds (without a mesh: the medium's) with a view angle of 30 degrees.
    */
   virtual void SetCamera(vtkCamera* camera);
   vtkGetObjectMacro(Camera, vtkCamera);
@@ -129,8 +135,8 @@ public:
 
   ///@{
   /**
-   * Scattering coefficient of the medium, 1 / world unit. SetSigmaS() sets every wavelength; SetSigmaSSpectrum() then sets
-   * the sample with an index from 0, the others keep SigmaS. Default: 0.1. Valid: 0 and above.
+   * Scattering coefficient of the medium, 1 / world unit. SetSigmaS() sets every wavelength; SetSigmaSSpectrum() then
+   * sets the sample with an index from 0, the others keep SigmaS. Default: 0.1. Valid: 0 and above.
    */
   virtual void SetSigmaS(double sigmaS);
   vtkGetMacro(SigmaS, double);
@@ -150,8 +156,8 @@ public:
 
   ///@{
   /**
-   * Into which directions the medium scatters. Default: Isotropic. BlasiSchlick takes PhaseLobes, HenyeyGreenstein takes
-   * PhaseAsymmetry.
+   * Into which directions the medium scatters. Default: Isotropic. BlasiSchlick takes PhaseLobes, HenyeyGreenstein
+   * takes PhaseAsymmetry.
    */
   vtkSetMacro(PhaseFunction, int);
   vtkGetMacro(PhaseFunction, int);
@@ -163,8 +169,9 @@ public:
 
   ///@{
   /**
-   * The two lobes of BlasiSchlick: weight w of the first, and their k1 and k2: w S(k1) + (1 - w) S(k2). A weight of 1 is one
-   * lobe alone. Default: 0.5, 0.46, -0.46, the Rayleigh preset. Valid: weight 0..1, k between -1 and 1, positive forward.
+   * The two lobes of BlasiSchlick: weight w of the first, and their k1 and k2: w S(k1) + (1 - w) S(k2). A weight of 1
+   * is one lobe alone. Default: 0.5, 0.46, -0.46, the Rayleigh preset. Valid: weight 0..1, k between -1 and 1, positive
+   * forward.
    */
   vtkSetVector3Macro(PhaseLobes, double);
   vtkGetVector3Macro(PhaseLobes, double);
@@ -172,8 +179,8 @@ public:
 
   ///@{
   /**
-   * Set PhaseFunction to BlasiSchlick with named lobes (Blasi, Le Saec and Schlick 1993): Rayleigh (0.5, 0.46, -0.46; within
-   * 5.2 % of Rayleigh), HazyMie (0.12, -0.50, 0.70) and MurkyMie (0.19, -0.65, 0.91).
+   * Set PhaseFunction to BlasiSchlick with named lobes (Blasi, Le Saec and Schlick 1993): Rayleigh (0.5, 0.46, -0.46;
+   * within 5.2 % of Rayleigh), HazyMie (0.12, -0.50, 0.70) and MurkyMie (0.19, -0.65, 0.91).
    */
   void SetPhasePresetToRayleigh();
   void SetPhasePresetToHazyMie();
@@ -191,8 +198,8 @@ public:
   ///@{
   /**
    * The box that the medium fills, world units: x from, to, y from, to, z from, to. Default: 1, -1, 1, -1, 1, -1, which
-   * stands for the joint bounds of mesh and light (without a Sun), each side enlarged by 10 % about the centre; a flat side
-   * becomes 10 % of the diagonal. Valid: from at most to.
+   * stands for the joint bounds of mesh and light (without a Sun), each side enlarged by 10 % about the centre; a flat
+   * side becomes 10 % of the diagonal. Valid: from at most to.
    */
   vtkSetVector6Macro(MediumBounds, double);
   vtkGetVector6Macro(MediumBounds, double);
@@ -216,8 +223,8 @@ public:
 
   ///@{
   /**
-   * An interval is halved where the intensities at its ends differ by more than this share of the largest intensity at the
-   * ray's NumberOfSteps + 1 nodes. Default: 0.1. Valid: 0 and above.
+   * An interval is halved where the intensities at its ends differ by more than this share of the largest intensity at
+   * the ray's NumberOfSteps + 1 nodes. Default: 0.1. Valid: 0 and above.
    */
   vtkSetMacro(IntensityThreshold, double);
   vtkGetMacro(IntensityThreshold, double);

@@ -3,29 +3,31 @@
  * @class vtkAreaLightSource
  * @brief An area light: disc, rectangle, sphere, point or sun.
  *
- * The output shows the light as a mesh, and carries its exact shape in field data. The filters of this project sample the
- * exact shape: Resolution only changes what is seen on the screen. Emission is Lambertian and one-sided: Disc and Rectangle
- * emit on the side of Normal, Sphere emits outward.
+ * The output shows the light as a mesh, and carries its exact shape in field data. The filters of this project sample
+ * the exact shape: Resolution only changes what is seen on the screen. Emission is Lambertian and one-sided: Disc and
+ * Rectangle emit on the side of Normal, Sphere emits outward.
  *
  * Input: none.
  *
- * Output: poly data, points in double precision. Disc: one polygon; Rectangle: one quadrilateral; Sphere: quadrilaterals,
- * triangles at the poles; polygons are oriented along the emission. Point: one vertex at Center. Sun: one vertex at Center,
- * which stands for the light on the screen and has no other meaning. Every piece holds the whole light.
+ * Output: poly data, points in double precision. Disc: one polygon; Rectangle: one quadrilateral; Sphere:
+ * quadrilaterals, triangles at the poles; polygons are oriented along the emission. Point: one vertex at Center. Sun:
+ * one vertex at Center, which stands for the light on the screen and has no other meaning. Every piece holds the whole
+ * light.
  *
  * Field data:
  * - "LightShape" (int 1): 0 Disc, 1 Rectangle, 2 Sphere, 3 Point, 4 Sun
  * - "LightCenter" (double 3, world units)
- * - "LightNormal" (double 3, unit): the side that emits; Sun: the way the light travels; no meaning for Sphere and Point
- * - "LightAxes" (double, two tuples of 3, world units): Rectangle: from the centre to the middle of two edges, U x V along
- *   the normal; no meaning for other shapes
+ * - "LightNormal" (double 3, unit): the side that emits; Sun: the way the light travels; no meaning for Sphere and
+ *   Point
+ * - "LightAxes" (double, two tuples of 3, world units): Rectangle: from the centre to the middle of two edges, U x V
+ *   along the normal; no meaning for other shapes
  * - "LightRadius" (double 1): Disc and Sphere: world units; Sun: half of the angular diameter, radians; no meaning for
  *   other shapes
  * - "LightSpectrum" (double, one value a wavelength sample): see Radiance
  * - "LightWavelengths" (double, nm): the middle of each wavelength sample, equal bins from 400 to 700 nm
  *
- * @warning A filter that moves points, such as vtkTransformPolyDataFilter, does not move the exact shape in field data. Set
- * Center and Normal instead.
+ * @warning A filter that moves points, such as vtkTransformPolyDataFilter, does not move the exact shape in field data.
+ * Set Center and Normal instead.
  *
  * @sa vtkShadowVectorFilter vtkScatteringImageFilter
  */
@@ -77,8 +79,8 @@ public:
 
   ///@{
   /**
-   * Disc and Rectangle: the side that emits. Sun: the way the light travels, away from the sun. Any length above 0. Unused
-   * by Sphere and Point. Default: (0, 0, 1).
+   * Disc and Rectangle: the side that emits. Sun: the way the light travels, away from the sun. Any length above 0.
+   * Unused by Sphere and Point. Default: (0, 0, 1).
    */
   vtkSetVector3Macro(Normal, double);
   vtkGetVector3Macro(Normal, double);
@@ -121,9 +123,9 @@ public:
 
   ///@{
   /**
-   * Emission, the same at every wavelength sample, at least 0. Disc, Rectangle and Sphere: radiance, W m^-2 sr^-1. Point:
-   * radiant intensity, W sr^-1. Sun: irradiance of a plane that faces it, W m^-2, so that AngularDiameter does not change
-   * the brightness. Setting it drops the values of SetRadianceSpectrum. Default: 1.
+   * Emission, the same at every wavelength sample, at least 0. Disc, Rectangle and Sphere: radiance, W m^-2 sr^-1.
+   * Point: radiant intensity, W sr^-1. Sun: irradiance of a plane that faces it, W m^-2, so that AngularDiameter does
+   * not change the brightness. Setting it drops the values of SetRadianceSpectrum. Default: 1.
    */
   void SetRadiance(double radiance);
   vtkGetMacro(Radiance, double);

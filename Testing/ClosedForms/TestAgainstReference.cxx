@@ -3,8 +3,10 @@
 #include "TestMeshes.h"
 #include "scAdapters.h"
 #include "scConeIntervals.h"
+#include "scConeSet.h"
 #include "scReference.h"
 #include "scScatteringImage.h"
+#include "scShadowVectors.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -67,6 +69,29 @@ Vector3 RoomPoint(RandomStream& random)
   const double x = 5.5 * random.Next() - 2.75;
   const double y = 5.2 * random.Next();
   return { x, y, 5.5 * random.Next() - 2.75 };
+}
+
+/// Few, large cones that hold the shadow: 20,000 vectors at the hit points, overlapping, under the exact light.
+std::vector<Cone> ConservativeCones(const Scene& scene, const Light& light)
+{
+  ShadowVectorOptions tracing;
+  tracing.TargetNumberOfVectors = 20000;
+  tracing.Storage = VectorStorage::HitPoint;
+  ShadowVectorResult traced;
+  EXPECT_TRUE(TraceShadowVectors(*scene.Fast, light, tracing, Monitor(), traced));
+  ShadowVectorView view;
+  view.Count = static_cast<vtkIdType>(traced.Vectors.OccluderIds.size());
+  view.Points = traced.Vectors.Points.data();
+  view.Directions = traced.Vectors.Directions.data();
+  view.EmissionPoints = traced.Vectors.EmissionPoints.data();
+  ConeSetOptions options;
+  options.VarianceThreshold = 1.8;
+  options.CosineCorrection = false;
+  options.Expansion = ConeExpansion::LightGeometry;
+  options.Overlap = true;
+  ConeSet set;
+  EXPECT_TRUE(FitConeSet(view, PhotonPathView(), LightExtentOf(light), options, Monitor(), set));
+  return set.Cones;
 }
 
 class AgainstReference : public testing::TestWithParam<const char*>
@@ -144,12 +169,14 @@ TEST_P(AgainstReference, Visibility)
   EXPECT_EQ(partial, 6);
 }
 
-TEST_P(AgainstReference, BruteForceRadiance)
+TEST_P(AgainstReference, Radiance)
 {
   const Scene scene = Load(GetParam());
   const Light light = CeilingLight();
   const Medium medium = RoomMedium();
   const Camera camera = LookAt({ 0.0, 2.75, 8.0 }, { 0.0, 2.75, 0.0 }, 0.5);
+  const ConeHierarchy cones(ConservativeCones(scene, light), medium.Bounds);
+  ASSERT_GT(cones.Cones().size(), 50u);
   ScatteringOptions options;
   options.Width = 64;
   options.Height = 64;
@@ -158,15 +185,19 @@ TEST_P(AgainstReference, BruteForceRadiance)
   options.NumberOfSurfaceLightSamples = 0;
   for (const auto& pixel : { std::array<int, 2>{ 32, 16 }, { 20, 24 }, { 40, 30 }, { 30, 40 }, { 10, 50 } })
   {
-    options.Extent = { pixel[0], pixel[0], pixel[1], pixel[1] };
-    ScatteringImage image;
-    ASSERT_TRUE(RenderScattering(*scene.Fast, light, medium, camera, nullptr, options, Monitor(), image));
-    ASSERT_EQ(image.InScattering.size(), 1u);
     const ReferenceEstimate expected =
       ReferenceInScattering(*scene.Slow, light, medium, camera, pixel[0], pixel[1], 64, 64, 128000);
     EXPECT_LT(expected.StandardError[0], 0.005 * expected.Mean[0]);
-    EXPECT_NEAR(image.InScattering[0], expected.Mean[0], 0.01 * expected.Mean[0] + 3.0 * expected.StandardError[0])
-      << "pixel " << pixel[0] << ", " << pixel[1];
+    options.Extent = { pixel[0], pixel[0], pixel[1], pixel[1] };
+    for (const ScatteringMode mode : { ScatteringMode::BruteForce, ScatteringMode::Medium })
+    {
+      options.Mode = mode;
+      ScatteringImage image;
+      ASSERT_TRUE(RenderScattering(*scene.Fast, light, medium, camera, &cones, options, Monitor(), image));
+      ASSERT_EQ(image.InScattering.size(), 1u);
+      EXPECT_NEAR(image.InScattering[0], expected.Mean[0], 0.01 * expected.Mean[0] + 3.0 * expected.StandardError[0])
+        << "pixel " << pixel[0] << ", " << pixel[1] << ", mode " << static_cast<int>(mode);
+    }
   }
 }
 

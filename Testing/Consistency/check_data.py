@@ -51,7 +51,8 @@ def faults(root):
         for name in sorted(committed ^ made):
             yield f"Data/{name}: " + ("missing" if name in made else "made by nothing")
         for name in sorted(committed & made):
-            yield from compare(f"Data/{name}", arrays(os.path.join(root, "Data", name)), arrays(os.path.join(folder, name)))
+            here, there = os.path.join(root, "Data", name), os.path.join(folder, name)
+            yield from compare(f"Data/{name}", arrays(here), arrays(there))
 
 
 if __name__ == "__main__":

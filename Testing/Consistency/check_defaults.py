@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""For every parameter: documented default = member initialiser = default in the ParaView XML = what the Python getter says."""
+"""For every parameter: documented default = initialiser = default in the ParaView XML = what the Python getter says."""
 
 import importlib
 import os
@@ -14,7 +14,7 @@ WORDS = {"on": 1.0, "off": 0.0, "true": 1.0, "false": 0.0}
 
 
 def value(text, enumerators):
-    """A default as something to compare: a list of numbers where it is made of such, else a word without case and marks."""
+    """A default as something to compare: a list of numbers, and of words in lower case without marks."""
     result = []
     for word in re.sub(r"[(){}]", " ", text).replace(",", " ").split():
         word = word.lower()

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every source file names its licence in its first line, or in the second where the first is an interpreter or XML line."""
+"""Every source file names its licence in its first line, or in the second after a line for the shell or XML."""
 
 import posixpath
 import sourcetree

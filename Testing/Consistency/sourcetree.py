@@ -55,7 +55,7 @@ def classes(root):
 
 
 def installed_headers(root):
-    """Paths of the headers that are installed: classes and whatever else a CMakeLists.txt names, private headers aside."""
+    """Paths of the headers that are installed: of classes, and what else a CMakeLists.txt names, private ones aside."""
     for module, name in classes(root):
         yield f"Modules/{module}/{name}.h"
     for module, words in cmake_lists(root):

@@ -104,7 +104,18 @@ Vector3 RandomDirection(Random& random)
   }
 }
 
-/// A point of a light with the area that it stands for.
+/// Uniform over the directions around an axis whose cosine is at least @p least: the cosine is uniform.
+Vector3 DirectionInCone(const Vector3& axis, double least, Random& random)
+{
+  const Vector3 u = AnyOrthogonal(axis);
+  const Vector3 v = Cross(axis, u);
+  const double cosine = least + (1.0 - least) * random.Next();
+  const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  const double turn = 2.0 * Pi * random.Next();
+  return cosine * axis + sine * (std::cos(turn) * u + std::sin(turn) * v);
+}
+
+/// A point of a light.
 struct LightPoint
 {
   Vector3 Position;
@@ -237,12 +248,15 @@ public:
     {
       return this->OfSun(random);
     }
-    // Near the light a share of plain random directions keeps the 1/d^2 of points by area bounded.
-    const double share = light.Shape != LightShape::Mesh && Length(x - this->Middle) < 3.0 * this->Reach ? 0.5 : 0.0;
+    // Near the light a share of random directions keeps the 1/d^2 of points by area bounded.
+    const double away = Length(x - this->Middle);
+    const double share = light.Shape != LightShape::Mesh && away < 1.5 * this->Reach ? 0.5 : 0.0;
+    const double coneCosine = away > this->Reach ? std::sqrt(1.0 - this->Reach * this->Reach / (away * away)) : -1.0;
     LightPoint point;
     if (random.Next() < share)
     {
-      if (!this->Meet(x, RandomDirection(random), point))
+      const Vector3 axis = away > 0.0 ? (1.0 / away) * (this->Middle - x) : Vector3{ 0.0, 0.0, 1.0 };
+      if (!this->Meet(x, DirectionInCone(axis, coneCosine, random), point))
       {
         return {};
       }
@@ -258,7 +272,7 @@ public:
       return {};
     }
     const double byArea = draw.Distance * draw.Distance / (cosine * this->Area);
-    draw.Weight = 1.0 / ((1.0 - share) * byArea + share / (4.0 * Pi));
+    draw.Weight = 1.0 / ((1.0 - share) * byArea + share / (2.0 * Pi * (1.0 - coneCosine)));
     return draw;
   }
 
@@ -587,14 +601,14 @@ ReferenceEstimate ReferenceInScattering(const ReferenceScene& scene, const Light
     {
       // Each estimate strikes every part of the ray once; the place within the part is random.
       const double r = (sample + random.Next()) / count;
-      const bool uniform = !equiAngular || random.Next() < 0.5;
+      const bool uniform = !equiAngular || random.Next() < 0.25;
       const double t = std::clamp(
         uniform ? begin + r * (end - begin) : foot + distance * std::tan(fromAngle + r * (toAngle - fromAngle)), begin, end);
       double density = 1.0 / (end - begin);
       if (equiAngular)
       {
         const double s = t - foot;
-        density = 0.5 * density + 0.5 * distance / ((toAngle - fromAngle) * (distance * distance + s * s));
+        density = 0.25 * density + 0.75 * distance / ((toAngle - fromAngle) * (distance * distance + s * s));
       }
       const Vector3 x = origin + t * direction;
       const RandomLight::Draw draw = source.Incident(x, random);

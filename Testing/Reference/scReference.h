@@ -67,7 +67,7 @@ struct ReferenceEstimate
 
 /**
  * Single scattering along the ray through the centre of pixel (i, j), up to the first surface: independent random positions
- * on the ray (half of them uniform, half equi-angular about the light), one independent random light point each, attenuation
+ * on the ray (a quarter of them uniform, the others equi-angular about the light), one independent random light point each, attenuation
  * on both legs over the length inside the medium. Sixteen independent estimates give the standard error.
  */
 ReferenceEstimate ReferenceInScattering(const ReferenceScene& scene, const Light& light, const Medium& medium,

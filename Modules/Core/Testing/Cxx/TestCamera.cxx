@@ -19,8 +19,7 @@ constexpr int height = 17;
 /// Where VTK projects a point, in pixels of the image: 0 is the left edge of the first pixel.
 void Project(vtkCamera* camera, const Vector3& p, double pixel[2])
 {
-  vtkMatrix4x4* matrix =
-    camera->GetCompositeProjectionTransformMatrix(static_cast<double>(width) / height, -1.0, 1.0);
+  vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(static_cast<double>(width) / height, -1.0, 1.0);
   const double world[4] = { p.X, p.Y, p.Z, 1.0 };
   double clip[4];
   matrix->MultiplyPoint(world, clip);

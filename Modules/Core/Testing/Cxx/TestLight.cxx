@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace shadowcones;
@@ -77,10 +79,7 @@ Light Mesh()
   const Vector3 b{ 1.5, 2.0, 3.2 };
   const Vector3 c{ 1.0, 2.1, 2.4 };
   const Vector3 d{ 1.1, 2.4, 4.0 };
-  light.Triangles.push_back({ a, c, b });
-  light.Triangles[0] = { a, b, c };
-  light.Triangles.push_back({ a, a, b });
-  light.Triangles.push_back({ a, d, b });
+  light.Triangles = { { a, b, c }, { a, a, b }, { a, d, b } };
   // Both faces emit downwards.
   for (auto& t : light.Triangles)
   {
@@ -404,7 +403,7 @@ TEST(Light, DiscSeenFromItsRimAndItsFace)
 {
   const Light light = Disc();
   const Vector3 u = FrameAround(light.Normal).U;
-  // The face fills the half space above it; above the rim, half of it: 2 pi - ..., pi - ... to first order in the height.
+  // Just above it, the face fills a half space; above the rim, half of that; beside it, nothing.
   EXPECT_NEAR(LightSolidAngle(light, light.Center + 1e-9 * light.Normal + 0.2 * u), 2.0 * Pi, 1e-7);
   EXPECT_NEAR(LightSolidAngle(light, light.Center + 1e-9 * light.Normal + 0.5 * u), Pi, 1e-3);
   EXPECT_NEAR(LightSolidAngle(light, light.Center + 1e-9 * light.Normal + 0.7 * u), 0.0, 1e-7);
@@ -622,6 +621,14 @@ TEST(Light, VisibleSamplesWeighOneOnTheBrightSide)
       EXPECT_GT(sample.Distance, 0.0);
     }
   }
+}
+
+TEST(Light, ARectangleWithoutAnAreaIsNotSeen)
+{
+  Light light = Rectangle();
+  light.AxisU = {};
+  EXPECT_EQ(LightSolidAngle(light, light.Center + light.Normal), 0.0);
+  EXPECT_EQ(SampleLightSolidAngle(light, light.Center + light.Normal, 0.1, 0.2).Density, 0.0);
 }
 
 TEST(Light, BoundingSpheresHoldTheLight)

@@ -127,7 +127,7 @@ TEST(LightStrata, VarianceOfMeanIsTheSpreadOverSeeds)
 
 TEST(LightStrata, OneSampleHasNoVariance)
 {
-  const double value = 3.0;
-  EXPECT_EQ(LightStrata(1).VarianceOfMean(&value), 0.0);
+  const std::vector<double> values(4, 3.0);
+  EXPECT_EQ(LightStrata(1).VarianceOfMean(values.data()), 0.0);
   EXPECT_EQ(LightStrata(0).Count(), 0);
 }

@@ -31,7 +31,8 @@ std::vector<PhaseFunction> AllKinds()
 {
   return { { PhaseFunctionKind::Isotropic, {}, 0.0 }, { PhaseFunctionKind::Rayleigh, {}, 0.0 },
     { PhaseFunctionKind::HenyeyGreenstein, {}, 0.75 }, { PhaseFunctionKind::HenyeyGreenstein, {}, -0.4 },
-    { PhaseFunctionKind::BlasiSchlick, { 1.0, 0.6, 0.0 }, 0.0 }, { PhaseFunctionKind::BlasiSchlick, SchlickRayleigh(), 0.0 },
+    { PhaseFunctionKind::BlasiSchlick, { 1.0, 0.6, 0.0 }, 0.0 },
+    { PhaseFunctionKind::BlasiSchlick, SchlickRayleigh(), 0.0 },
     { PhaseFunctionKind::BlasiSchlick, SchlickHazyMie(), 0.0 },
     { PhaseFunctionKind::BlasiSchlick, SchlickMurkyMie(), 0.0 } };
 }
@@ -72,8 +73,8 @@ TEST(PhaseFunction, TwoLobesComeWithin5Point2PercentOfRayleigh)
   for (int i = -1000; i <= 1000; ++i)
   {
     const double cosine = i / 1000.0;
-    worst = std::fmax(
-      worst, std::fabs(EvaluatePhaseFunction(lobes, cosine) / EvaluatePhaseFunction(exact, cosine) - 1.0));
+    worst =
+      std::fmax(worst, std::fabs(EvaluatePhaseFunction(lobes, cosine) / EvaluatePhaseFunction(exact, cosine) - 1.0));
   }
   EXPECT_LE(worst, 0.052);
   EXPECT_GT(worst, 0.01) << "the preset is an approximation, not the function itself";

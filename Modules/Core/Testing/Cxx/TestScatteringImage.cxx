@@ -183,8 +183,7 @@ TEST(ScatteringImage, LightFromOutsideIsAttenuatedInsideTheBoxOnly)
   const Box box{ { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
   // The sun shines down; the light leg is 1 - y = 0.5 for every point of the ray.
   const Light light = MakeLight(LightShape::Sun, {}, { 0.0, -1.0, 0.0 }, 0.0);
-  const ScatteringImage image =
-    RenderPixel({}, light, MakeMedium(box, 0.5, 0.0), SinglePixel({ 0.0, 0.5, 8.0 }), {});
+  const ScatteringImage image = RenderPixel({}, light, MakeMedium(box, 0.5, 0.0), SinglePixel({ 0.0, 0.5, 8.0 }), {});
   const double expected = 0.5 / (4.0 * pi) * std::exp(-0.5 * 0.5) * (1.0 - std::exp(-0.5 * 2.0)) / 0.5;
   EXPECT_NEAR(image.InScattering[0] / expected, 1.0, 0.001);
 }
@@ -206,8 +205,8 @@ TEST(ScatteringImage, ParallelLightWithAShadowedIntervalMatchesTheClosedForm)
   const ScatteringImage image =
     RenderPixel(mesh, light, MakeMedium(box, sigmaS, sigmaT - sigmaS), SinglePixel({ 0.0, y, 6.0 }), options);
   const double blocked = std::exp(-sigmaT * 1.2) - std::exp(-sigmaT * 2.3);
-  const double expected = sigmaS / (4.0 * pi * sigmaT) * std::exp(-sigmaT * (1.0 - y)) *
-    (1.0 - std::exp(-sigmaT * 4.0) - blocked);
+  const double expected =
+    sigmaS / (4.0 * pi * sigmaT) * std::exp(-sigmaT * (1.0 - y)) * (1.0 - std::exp(-sigmaT * 4.0) - blocked);
   EXPECT_NEAR(image.InScattering[0] / expected, 1.0, 0.001);
 }
 
@@ -327,8 +326,8 @@ TEST(ScatteringImage, TheCameraSeesTheLightFromItsBrightSide)
   const double solidAngle = 2.0 * pi * (1.0 - std::cos(sunRadius));
   EXPECT_NEAR(RenderPixel({}, sun, medium, camera, {}).Radiance[0] / (seen / solidAngle), 1.0, 1e-5);
   // The back of a disc is dark, and a surface in front hides the light.
-  EXPECT_EQ(RenderPixel({}, MakeLight(LightShape::Disc, {}, { 0.0, 0.0, -1.0 }, 0.3), medium, camera, {}).Radiance[0],
-    0.0f);
+  EXPECT_EQ(
+    RenderPixel({}, MakeLight(LightShape::Disc, {}, { 0.0, 0.0, -1.0 }, 0.3), medium, camera, {}).Radiance[0], 0.0f);
   Triangles screen;
   screen.AddQuad({ -1.0, -1.0, 0.5 }, { 2.0, 0.0, 0.0 }, { 0.0, 2.0, 0.0 });
   ScatteringOptions black;

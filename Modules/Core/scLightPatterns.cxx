@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scLightPatterns.h"
+
+#include "scRandom.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace shadowcones
+{
+namespace
+{
+/// Patterns share this many samples, so that many samples a point do not need much memory.
+constexpr int samplesOfAllPatterns = 16384;
+constexpr int mostPatterns = 256;
+constexpr int fewestPatterns = 4;
+
+std::uint64_t BitsOf(double x)
+{
+  x += 0.0; // -0 and 0 are the same place
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &x, sizeof(bits));
+  return bits;
+}
+
+bool IsPlanar(const Light& light)
+{
+  return light.Shape == LightShape::Disc || light.Shape == LightShape::Rectangle;
+}
+
+bool IsPointlike(const Light& light)
+{
+  return light.Shape == LightShape::Point || (light.Shape == LightShape::Mesh && light.Triangles.empty());
+}
+} // anonymous namespace
+
+LightPatterns::LightPatterns(const Light& light, int numberOfSamples, std::uint64_t seed)
+  : LightSource(light)
+  , NumberOfSamples(numberOfSamples)
+  , Seed(seed)
+{
+  const int points = light.Shape == LightShape::Point ? 1 : static_cast<int>(std::min<std::size_t>(light.Vertices.size(), 1u << 30));
+  if (IsPointlike(light) && points <= numberOfSamples)
+  {
+    this->NumberOfSamples = points;
+    this->Exact = true;
+  }
+  else
+  {
+    this->NumberOfPatterns =
+      static_cast<std::size_t>(std::clamp(samplesOfAllPatterns / numberOfSamples, fewestPatterns, mostPatterns));
+  }
+  const auto count = static_cast<std::size_t>(this->NumberOfSamples);
+  this->Stride = (count + 63) / 64 * 64;
+  this->Full.assign(this->Stride / 64, ~std::uint64_t(0));
+  if (count % 64 != 0)
+  {
+    this->Full.back() = (std::uint64_t(1) << (count % 64)) - 1;
+  }
+
+  const Frame frame = FrameAround(light.Normal);
+  this->U = light.Shape == LightShape::Rectangle ? light.AxisU : light.Radius * frame.U;
+  this->V = light.Shape == LightShape::Rectangle ? light.AxisV : light.Radius * frame.V;
+  for (std::size_t pattern = 0; pattern < this->NumberOfPatterns; ++pattern)
+  {
+    this->AddPattern(pattern);
+  }
+}
+
+void LightPatterns::AddPattern(std::size_t pattern)
+{
+  const Light& light = this->LightSource;
+  const std::uint64_t seed = HashSeed(this->Seed, pattern);
+  for (std::size_t k = 0; k < this->Stride; ++k)
+  {
+    const bool padding = k >= static_cast<std::size_t>(this->NumberOfSamples);
+    const std::array<double, 4> uv =
+      this->Exact ? std::array<double, 4>{ (static_cast<double>(k) + 0.5) / this->NumberOfSamples, 0.5, 0.0, 0.0 }
+                  : SobolPoint(seed, static_cast<std::uint32_t>(k));
+    if (light.Shape == LightShape::Sphere)
+    {
+      this->As.push_back(padding ? 0.0 : uv[0]);
+      this->Bs.push_back(padding ? 0.0 : uv[1]);
+      continue;
+    }
+    const LightSurfaceSample sample = padding ? LightSurfaceSample{} : SampleLightArea(light, uv[0], uv[1]);
+    if (IsPlanar(light))
+    {
+      const Vector3 offset = padding ? Vector3{} : sample.Position - light.Center;
+      this->As.push_back(Dot(offset, this->U) / Dot(this->U, this->U));
+      this->Bs.push_back(Dot(offset, this->V) / Dot(this->V, this->V));
+      continue;
+    }
+    this->Positions.push_back(sample.Position);
+    if (light.Shape == LightShape::Mesh && !light.Triangles.empty())
+    {
+      this->Normals.push_back(sample.Normal);
+    }
+  }
+}
+
+std::size_t LightPatterns::PatternOf(const Vector3& point) const
+{
+  const std::uint64_t place = Mix64(BitsOf(point.X) + Mix64(BitsOf(point.Y) + Mix64(BitsOf(point.Z))));
+  return static_cast<std::size_t>(HashSeed(this->Seed, place) % this->NumberOfPatterns);
+}
+
+void LightPatterns::LookFrom(const Vector3& point, LightView& view) const
+{
+  const Light& light = this->LightSource;
+  const std::size_t first = this->PatternOf(point) * this->Stride;
+  const auto count = static_cast<std::size_t>(this->NumberOfSamples);
+  view.X.resize(this->Stride);
+  view.Y.resize(this->Stride);
+  view.Z.resize(this->Stride);
+  view.Open = this->Full;
+  view.A = nullptr;
+  view.B = nullptr;
+  const auto put = [&view](std::size_t k, const Vector3& to)
+  {
+    view.X[k] = to.X;
+    view.Y[k] = to.Y;
+    view.Z[k] = to.Z;
+  };
+  if (IsPlanar(light))
+  {
+    view.A = this->As.data() + first;
+    view.B = this->Bs.data() + first;
+    const Vector3 toCenter = light.Center - point;
+    for (std::size_t k = 0; k < this->Stride; ++k)
+    {
+      view.X[k] = toCenter.X + view.A[k] * this->U.X + view.B[k] * this->V.X;
+      view.Y[k] = toCenter.Y + view.A[k] * this->U.Y + view.B[k] * this->V.Y;
+      view.Z[k] = toCenter.Z + view.A[k] * this->U.Z + view.B[k] * this->V.Z;
+    }
+    if (!(Dot(toCenter, light.Normal) < 0.0))
+    {
+      std::fill(view.Open.begin(), view.Open.end(), 0);
+    }
+    return;
+  }
+  for (std::size_t k = count; k < this->Stride; ++k)
+  {
+    put(k, {});
+  }
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    bool open = true;
+    if (light.Shape == LightShape::Sphere)
+    {
+      const LightDirectionSample sample =
+        SampleLightSolidAngle(light, point, this->As[first + k], this->Bs[first + k]);
+      open = sample.Density > 0.0;
+      put(k, sample.Distance * sample.Direction);
+    }
+    else
+    {
+      const Vector3& position = this->Positions[first + k];
+      const Vector3 to = light.Shape == LightShape::Sun ? position : position - point;
+      open = this->Normals.empty() || Dot(to, this->Normals[first + k]) < 0.0;
+      put(k, to);
+    }
+    if (!open)
+    {
+      view.Open[k / 64] &= ~(std::uint64_t(1) << (k % 64));
+    }
+  }
+}
+
+} // namespace shadowcones

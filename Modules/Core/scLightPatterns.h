@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scLightPatterns.h
+ * @brief The light seen from a point as a fixed number of stratified samples. Internal to Core.
+ */
+#ifndef scLightPatterns_h
+#define scLightPatterns_h
+
+#include "scLight.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace shadowcones
+{
+
+/// One bit a light sample, in blocks of 64.
+using LightMask = std::vector<std::uint64_t>;
+
+/// The samples of one point; arrays are padded with zeros to whole blocks of 64. One a thread.
+struct LightView
+{
+  const double* A = nullptr; ///< Disc, Rectangle: place on the light, Center + A AxisU + B AxisV; else nullptr
+  const double* B = nullptr;
+  std::vector<double> X; ///< from the point to the sample (Sun: unit), one array a component
+  std::vector<double> Y;
+  std::vector<double> Z;
+  LightMask Open; ///< samples whose face emits towards the point
+};
+
+/**
+ * Scrambled Sobol patterns, mapped to the light once: uniform by area (Disc, Rectangle, Mesh) or by the solid angle of the
+ * visible cap (Sphere, Sun), as SampleVisibleLight. Which pattern a point takes is a pure function of (Seed, its
+ * coordinates), so that it does not depend on how a data set is cut into pieces.
+ */
+class LightPatterns
+{
+public:
+  LightPatterns(const Light& light, int numberOfSamples, std::uint64_t seed);
+
+  /// Samples a point; point lights that are no more than asked for are taken once each.
+  int Count() const { return this->NumberOfSamples; }
+  /// The samples are all of the light: there is no sampling error.
+  bool IsExact() const { return this->Exact; }
+  std::size_t NumberOfBlocks() const { return this->Stride / 64; }
+  const Light& Source() const { return this->LightSource; }
+  const Vector3& AxisU() const { return this->U; }
+  const Vector3& AxisV() const { return this->V; }
+
+  void LookFrom(const Vector3& point, LightView& view) const;
+
+private:
+  std::size_t PatternOf(const Vector3& point) const;
+  void AddPattern(std::size_t pattern);
+
+  Light LightSource;
+  int NumberOfSamples;
+  bool Exact = false;
+  std::uint64_t Seed;
+  std::size_t NumberOfPatterns = 1;
+  std::size_t Stride = 0; ///< samples a pattern, whole blocks
+  Vector3 U;
+  Vector3 V;
+  LightMask Full;
+  std::vector<double> As; ///< Disc, Rectangle: place; Sphere: the two random numbers
+  std::vector<double> Bs;
+  std::vector<Vector3> Positions; ///< Sun, Mesh, Point
+  std::vector<Vector3> Normals;   ///< Mesh with faces
+};
+
+} // namespace shadowcones
+
+#endif

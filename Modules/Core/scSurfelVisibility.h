@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scSurfelVisibility.h
+ * @brief The base discs of cones as the only occluders: which light samples they hide from a point. Internal to Core.
+ */
+#ifndef scSurfelVisibility_h
+#define scSurfelVisibility_h
+
+#include "scConeSet.h"
+#include "scConeTree.h"
+#include "scLightPatterns.h"
+
+#include <vector>
+
+namespace shadowcones
+{
+
+/// Light samples that each occluder hides from one point; reused from point to point. One a thread.
+struct OccluderMasks
+{
+  std::size_t NumberOfBlocks = 0;
+  std::vector<int> OccluderIds;
+  LightMask Words; ///< NumberOfBlocks an occluder
+
+  void Reset(std::size_t numberOfBlocks)
+  {
+    this->NumberOfBlocks = numberOfBlocks;
+    this->OccluderIds.clear();
+    this->Words.clear();
+  }
+  /// The words of an occluder, added where it is new.
+  std::uint64_t* Of(int occluderId)
+  {
+    std::size_t i = 0;
+    while (i < this->OccluderIds.size() && this->OccluderIds[i] != occluderId)
+    {
+      ++i;
+    }
+    if (i == this->OccluderIds.size())
+    {
+      this->OccluderIds.push_back(occluderId);
+      this->Words.resize(this->Words.size() + this->NumberOfBlocks, 0);
+    }
+    return this->Words.data() + i * this->NumberOfBlocks;
+  }
+};
+
+/// Built once, queried often, from any number of threads.
+class SurfelVisibility
+{
+public:
+  /// Queries are for points in @p bounds. @p onSurfaces: a point on a curved surface is not hidden by that surface's discs.
+  SurfelVisibility(const std::vector<Cone>& cones, const LightPatterns& light, const Box& bounds, bool onSurfaces);
+
+  /// Add what the discs hide of @p view, which was taken from @p point. @return the number of discs looked at.
+  int Hide(const Vector3& point, const LightView& view, OccluderMasks& masks) const;
+
+private:
+  struct Surfel
+  {
+    Vector3 Center;
+    Vector3 Normal;
+    double Radius;
+    double Tolerance; ///< points this near to the plane lie on it
+    int OccluderId;
+  };
+  void HideBySurfel(const Surfel& surfel, const Vector3& point, const LightView& view, OccluderMasks& masks) const;
+
+  const LightPatterns& Light;
+  std::vector<Surfel> Surfels;
+  std::vector<Cone> Penumbrae;  ///< of the surfels in Tree
+  std::vector<double> Tangents; ///< of the penumbrae
+  std::vector<int> SurfelOf;    ///< of the penumbrae
+  std::vector<int> Unbounded;   ///< surfels next to the light: any point may be in their shadow
+  ConeTree Tree;
+};
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scUmbraField.h
+ * @brief The implicit function of what base discs together put in full shadow. Internal to Core and Filters.
+ */
+#ifndef scUmbraField_h
+#define scUmbraField_h
+
+#include "scConeField.h"
+#include "scLight.h"
+
+namespace shadowcones
+{
+
+/**
+ * At a point, for each of some points of the light, the distance from the nearest rim of the discs to the place where the segment
+ * between the two crosses their plane, negative inside; of these the largest. Negative where every disc of the light's points is
+ * hidden by one disc or another, 0 where the last one comes into view.
+ */
+class SHADOWCONESCORE_EXPORT UmbraField
+{
+public:
+  /// Cones are cut at @p length from their base and to @p bounds (an empty box: not at all).
+  UmbraField(const std::vector<Cone>& cones, const Light& light, double length, const Box& bounds = {});
+
+  /// The field at a point, by a look at every disc and every point of the light.
+  double Value(const Vector3& point) const;
+
+  /**
+   * The field at the points of a grid, clipped to @p region; values farther than two cells from 0 are cut off. @return false
+   * where aborted.
+   */
+  bool Sample(const FieldGrid& grid, const Box& region, const Monitor& monitor, float* values) const;
+
+  /// The box around the umbra within a box, to about a cell of a grid of @p resolution; empty where none is found, or aborted.
+  Box Find(const Box& region, int resolution, const Monitor& monitor) const;
+
+private:
+  struct Disc
+  {
+    Vector3 Center;
+    Vector3 Axis;
+    double Radius;
+    double Height; ///< cut
+  };
+  /// A point of the light, or with Scale 0 a direction towards it.
+  struct Source
+  {
+    Vector3 Position;
+    double Scale;
+  };
+  double Value(const Vector3& point, const std::vector<int>& candidates, double largest) const;
+
+  std::vector<Disc> Discs;
+  std::vector<Source> Sources;
+  std::vector<ConeField> Penumbrae; ///< of each disc: what it can shade
+};
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scVisibilityProbe.h"
+
+#include "scConeIntervals.h"
+#include "scLightPatterns.h"
+#include "scSurfelVisibility.h"
+
+#include <algorithm>
+
+namespace shadowcones
+{
+namespace
+{
+/// Points within this many of the scene's epsilon from a triangle's plane lie on it.
+constexpr double planeTolerance = 2.0;
+
+/// What one point needs; kept from point to point.
+struct Scratch
+{
+  LightView View;
+  OccluderMasks Masks;
+  LightMask Above; ///< samples that the point's own surface lets through
+  std::vector<RayHit> Hits;
+};
+
+int CountBits(std::uint64_t x)
+{
+  x -= (x >> 1) & 0x5555555555555555ull;
+  x = (x & 0x3333333333333333ull) + ((x >> 2) & 0x3333333333333333ull);
+  x = (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0Full;
+  return static_cast<int>((x * 0x0101010101010101ull) >> 56);
+}
+
+Box Grown(Box box)
+{
+  // Points on the faces of the box belong to it, whatever the rounding.
+  const double size = std::max(Length(box.Min), Length(box.Max));
+  const double margin = 1e-6 * box.Diagonal() + 1e-12 * size;
+  box.Min = box.Min - Vector3{ margin, margin, margin };
+  box.Max = box.Max + Vector3{ margin, margin, margin };
+  return box;
+}
+
+/// Cones that begin one base radius nearer to the light: points on a surface may lie just before the base fitted to it.
+std::vector<Cone> Lengthened(std::vector<Cone> cones)
+{
+  for (Cone& cone : cones)
+  {
+    const double before = cone.BaseRadius;
+    cone.Center = cone.Center - before * cone.Axis;
+    cone.BaseRadius += std::max(0.0, -before * std::tan(cone.HalfAngle));
+  }
+  return cones;
+}
+} // anonymous namespace
+
+struct VisibilityProbe::Implementation
+{
+  Implementation(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene, const Box& bounds,
+    const VisibilityOptions& options)
+    : Patterns(light, options.NumberOfLightSamples, options.Seed)
+    , Scene(scene)
+    , AtInfinity(IsAtInfinity(light))
+  {
+    LightBoundingSphere(light, this->Center, this->Radius);
+    if (options.Method == VisibilityMethod::Soft)
+    {
+      this->Surfels = std::make_unique<SurfelVisibility>(cones, this->Patterns, Grown(bounds), options.OnSurfaces);
+    }
+    else
+    {
+      this->Bounds = std::make_unique<ConeHierarchy>(Lengthened(cones), Grown(bounds));
+    }
+  }
+
+  /// 1: all of the light is above the surface; -1: all of it is below; 0: neither, or not known.
+  int SideOf(const Vector3& point, const Vector3& normal) const
+  {
+    const Light& light = this->Patterns.Source();
+    const double height = this->AtInfinity ? -Dot(normal, light.Normal) : Dot(normal, this->Center - point);
+    const double reach = this->AtInfinity ? std::sin(light.Radius) : this->Radius;
+    return height > reach ? 1 : (height < -reach ? -1 : 0);
+  }
+
+  /// Add what the mesh hides of the samples in @p wanted.
+  void Trace(const Vector3& point, const LightMask& wanted, Scratch& scratch) const
+  {
+    const double epsilon = this->Scene->Epsilon();
+    for (int k = 0; k < this->Patterns.Count(); ++k)
+    {
+      const std::uint64_t bit = std::uint64_t(1) << (k % 64);
+      if (!(wanted[k / 64] & bit))
+      {
+        continue;
+      }
+      const Vector3 to{ scratch.View.X[k], scratch.View.Y[k], scratch.View.Z[k] };
+      const double distance = Length(to);
+      const Vector3 direction = (1.0 / distance) * to;
+      const double end = this->AtInfinity ? HUGE_VAL : distance - epsilon;
+      if (!this->Scene->Occluded(point, direction, epsilon, end))
+      {
+        continue;
+      }
+      this->Scene->IntersectAll(point, direction, epsilon, end, scratch.Hits);
+      for (const RayHit& hit : scratch.Hits)
+      {
+        const Vector3 offset = point - this->Scene->Mesh().Corner(hit.Triangle, 0);
+        if (std::abs(Dot(this->Scene->TriangleNormal(hit.Triangle), offset)) > planeTolerance * epsilon)
+        {
+          scratch.Masks.Of(this->Scene->Mesh().OccluderId(hit.Triangle))[k / 64] |= bit;
+        }
+      }
+    }
+  }
+
+  LightPatterns Patterns;
+  const OccluderScene* Scene;
+  bool AtInfinity;
+  Vector3 Center;
+  double Radius = 0.0;
+  std::unique_ptr<SurfelVisibility> Surfels; ///< Soft
+  std::unique_ptr<ConeHierarchy> Bounds;     ///< Exact
+};
+
+VisibilityProbe::VisibilityProbe(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene,
+  const Box& bounds, const VisibilityOptions& options)
+  : Impl(new Implementation(cones, light, scene, bounds, options))
+{
+}
+
+VisibilityProbe::~VisibilityProbe() = default;
+
+PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal) const
+{
+  thread_local Scratch scratch;
+  const Implementation& impl = *this->Impl;
+  const std::size_t blocks = impl.Patterns.NumberOfBlocks();
+  PointVisibility result;
+
+  impl.Patterns.LookFrom(point, scratch.View);
+  int open = 0;
+  for (const std::uint64_t word : scratch.View.Open)
+  {
+    open += CountBits(word);
+  }
+  const int side = normal ? impl.SideOf(point, *normal) : 1;
+  if (open == 0 || side < 0)
+  {
+    result.Fraction = 0.0;
+    result.Class = ShadowClass::Umbra;
+    return result;
+  }
+
+  scratch.Above = scratch.View.Open;
+  if (side == 0)
+  {
+    for (int k = 0; k < impl.Patterns.Count(); ++k)
+    {
+      const Vector3 to{ scratch.View.X[k], scratch.View.Y[k], scratch.View.Z[k] };
+      const std::uint64_t below = Dot(to, *normal) > 0.0 ? 0 : 1;
+      scratch.Above[k / 64] &= ~(below << (k % 64));
+    }
+  }
+
+  scratch.Masks.Reset(blocks);
+  bool sampled = side == 0;
+  if (impl.Surfels)
+  {
+    sampled = impl.Surfels->Hide(point, scratch.View, scratch.Masks) > 0 || sampled;
+  }
+  else if (impl.Scene && impl.Bounds->Contains(point))
+  {
+    sampled = true;
+    impl.Trace(point, scratch.Above, scratch);
+  }
+
+  int most = 0;
+  for (std::size_t i = 0; i < scratch.Masks.OccluderIds.size(); ++i)
+  {
+    int hidden = 0;
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+      hidden += CountBits(scratch.Masks.Words[i * blocks + block] & scratch.Above[block]);
+    }
+    const int id = scratch.Masks.OccluderIds[i];
+    if (hidden > most || (hidden == most && hidden > 0 && id < result.OccluderId))
+    {
+      most = hidden;
+      result.OccluderId = id;
+    }
+  }
+  int visible = 0;
+  for (std::size_t block = 0; block < blocks; ++block)
+  {
+    std::uint64_t hidden = 0;
+    for (std::size_t i = 0; i < scratch.Masks.OccluderIds.size(); ++i)
+    {
+      hidden |= scratch.Masks.Words[i * blocks + block];
+    }
+    visible += CountBits(scratch.Above[block] & ~hidden);
+  }
+
+  result.Fraction = static_cast<double>(visible) / open;
+  result.Class = visible == open ? ShadowClass::Lit : (visible == 0 ? ShadowClass::Umbra : ShadowClass::Penumbra);
+  if (sampled && !impl.Patterns.IsExact())
+  {
+    const double p = (visible + 0.5) / (open + 1.0);
+    result.Error = std::sqrt(p * (1.0 - p) / open);
+  }
+  return result;
+}
+
+bool ProbeVisibility(const VisibilityProbe& probe, const double* points, const double* normals, vtkIdType count,
+  const Monitor& monitor, VisibilityResult& result)
+{
+  const auto size = static_cast<std::size_t>(count);
+  result.Visibility.resize(size);
+  result.ShadowClasses.resize(size);
+  result.OccluderIds.resize(size);
+  result.Errors.resize(size);
+  return ParallelFor(count, monitor,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const Vector3 point{ points[3 * i], points[3 * i + 1], points[3 * i + 2] };
+        Vector3 normal;
+        if (normals)
+        {
+          normal = Normalized({ normals[3 * i], normals[3 * i + 1], normals[3 * i + 2] });
+        }
+        const bool hasNormal = Dot(normal, normal) > 0.0;
+        const PointVisibility visibility = probe.At(point, hasNormal ? &normal : nullptr);
+        result.Visibility[i] = static_cast<float>(visibility.Fraction);
+        result.ShadowClasses[i] = static_cast<unsigned char>(visibility.Class);
+        result.OccluderIds[i] = visibility.OccluderId;
+        result.Errors[i] = static_cast<float>(visibility.Error);
+      }
+    });
+}
+
+} // namespace shadowcones

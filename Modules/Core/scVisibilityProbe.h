@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scVisibilityProbe.h
+ * @brief How much of the light points see, traced inside cones or from the cones' base discs alone.
+ */
+#ifndef scVisibilityProbe_h
+#define scVisibilityProbe_h
+
+#include "ShadowConesCoreModule.h"
+#include "scConeSet.h"
+#include "scLight.h"
+#include "scOccluderScene.h"
+#include "scParallel.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace shadowcones
+{
+
+enum class VisibilityMethod : int
+{
+  Exact = 0, ///< rays to the light, for points inside cones only
+  Soft = 1   ///< the base discs of the cones are the occluders; no mesh
+};
+
+/// Values of "ShadowClass".
+enum class ShadowClass : unsigned char
+{
+  Lit = 0,
+  Penumbra = 1,
+  Umbra = 2
+};
+
+struct VisibilityOptions
+{
+  VisibilityMethod Method = VisibilityMethod::Exact;
+  int NumberOfLightSamples = 64; ///< a point, at least 1
+  std::uint64_t Seed = 1;
+  bool OnSurfaces = false; ///< points lie on occluders: a curved surface's own discs do not hide them (Soft)
+};
+
+struct PointVisibility
+{
+  double Fraction = 1.0; ///< visible share of the light that emits towards the point, 0..1
+  ShadowClass Class = ShadowClass::Lit;
+  int OccluderId = -1; ///< hides most samples, the smallest of several; -1: none hides any
+  double Error = 0.0;  ///< standard error, see VisibilityProbe
+};
+
+/**
+ * Built once, queried often, from any number of threads. Samples of a point are a pure function of (Seed, its coordinates).
+ *
+ * With k of n samples visible the fraction is k / n and its error sqrt(p (1 - p) / n), p = (k + 1/2) / (n + 1): the standard
+ * error of independent samples, which overrates that of the stratified ones, and is not 0 where all samples agree. It is 0
+ * where nothing is sampled: outside all cones, on the dark side of the light, and for point lights. It knows nothing of
+ * shadow that the cones miss (Exact) nor of what the discs get wrong (Soft).
+ *
+ * Exact asks the rays inside cones and up to one base radius before their base, where surface points may lie. A triangle in
+ * whose plane the point lies never hides anything from it, nor does a disc (Soft): a surface casts no shadow on itself.
+ */
+class SHADOWCONESCORE_EXPORT VisibilityProbe
+{
+public:
+  /**
+   * @param cones bounds of the shadow (Exact), or discs made with CosineCorrection off (Soft); @param scene the occluders,
+   * without receivers; nullptr for Soft; must outlive the probe; @param bounds points outside see the whole light.
+   */
+  VisibilityProbe(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene, const Box& bounds,
+    const VisibilityOptions& options);
+  ~VisibilityProbe();
+  VisibilityProbe(const VisibilityProbe&) = delete;
+  VisibilityProbe& operator=(const VisibilityProbe&) = delete;
+
+  /// @param normal of the surface at the point, unit, or nullptr: light from below the surface is hidden by it.
+  PointVisibility At(const Vector3& point, const Vector3* normal = nullptr) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> Impl;
+};
+
+/// What is known at many points; one value a point each.
+struct VisibilityResult
+{
+  std::vector<float> Visibility;
+  std::vector<unsigned char> ShadowClasses;
+  std::vector<int> OccluderIds;
+  std::vector<float> Errors;
+};
+
+/**
+ * Ask the probe at @p count points (3 values each) with normals (3 values each, any length; 0: no normal) or nullptr.
+ * @return false where aborted.
+ */
+SHADOWCONESCORE_EXPORT bool ProbeVisibility(const VisibilityProbe& probe, const double* points, const double* normals,
+  vtkIdType count, const Monitor& monitor, VisibilityResult& result);
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// vtkConeSetFilter: its arrays and field data, its parameters, and a message for each fault.
+#include "FilterTesting.h"
+#include "vtkConeSetFilter.h"
+#include "vtkShadowVectorFilter.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <sstream>
+
+using namespace filtertesting;
+
+namespace
+{
+
+/// Lamp, board and floor: 3000 vectors on the board's back.
+class Traced
+{
+public:
+  Traced()
+  {
+    this->Light = LampAbove(3.0);
+    this->Filter->SetInputData(
+      MeshBuilder().AddBox(0.0, 0.0, 1.0, 0.8, 0.8, 0.02, 4).AddSquare(0.0, 3.0, -1).Build());
+    this->Filter->SetLightConnection(this->Light->GetOutputPort());
+    this->Filter->SetTargetNumberOfVectors(3000);
+    this->Filter->SetSeed(9);
+    this->Filter->Update();
+  }
+  /// Copies that a test may spoil.
+  vtkSmartPointer<vtkPolyData> Vectors() { return this->Copy(0); }
+  vtkSmartPointer<vtkPolyData> Paths() { return this->Copy(1); }
+
+private:
+  vtkSmartPointer<vtkPolyData> Copy(int port)
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->DeepCopy(this->Filter->GetOutput(port));
+    return copy;
+  }
+  vtkSmartPointer<vtkAreaLightSource> Light;
+  vtkNew<vtkShadowVectorFilter> Filter;
+};
+
+Traced& Board()
+{
+  static Traced traced;
+  return traced;
+}
+
+struct Outcome
+{
+  vtkIdType Cones = 0;
+  vtkIdType Vectors = 0;
+  std::string Errors;
+};
+
+Outcome Execute(vtkPolyData* vectors, vtkPolyData* paths, const std::function<void(vtkConeSetFilter*)>& change = {})
+{
+  vtkNew<vtkConeSetFilter> filter;
+  filter->SetInputData(vectors);
+  if (paths)
+  {
+    filter->SetPhotonPathData(paths);
+  }
+  if (change)
+  {
+    change(filter);
+  }
+  Messages messages(filter);
+  filter->Update();
+  return { filter->GetOutput(0)->GetNumberOfPoints(), filter->GetOutput(1)->GetNumberOfPoints(), messages.Errors };
+}
+
+void ExpectFault(const Outcome& outcome, const std::string& says)
+{
+  EXPECT_EQ(outcome.Cones, 0);
+  EXPECT_EQ(outcome.Vectors, 0);
+  EXPECT_SAYS(outcome.Errors, says);
+}
+
+} // namespace
+
+TEST(ConeSetFilter, GivesTheDocumentedArrays)
+{
+  vtkNew<vtkConeSetFilter> filter;
+  const auto input = Board().Vectors();
+  filter->SetInputData(input);
+  filter->SetPhotonPathData(Board().Paths());
+  filter->Update();
+
+  vtkPolyData* cones = filter->GetOutput(0);
+  const vtkIdType count = cones->GetNumberOfPoints();
+  ASSERT_GT(count, 5);
+  EXPECT_EQ(cones->GetNumberOfVerts(), count);
+  EXPECT_EQ(cones->GetPoints()->GetDataType(), VTK_DOUBLE);
+  vtkPointData* data = cones->GetPointData();
+  EXPECT_EQ(data->GetNumberOfArrays(), 9);
+  vtkDataArray* axes = ArrayOf(data, "Axis", VTK_FLOAT, 3);
+  vtkDataArray* radii = ArrayOf(data, "BaseRadius", VTK_FLOAT, 1);
+  vtkDataArray* angles = ArrayOf(data, "HalfAngle", VTK_FLOAT, 1);
+  vtkDataArray* innerAngles = ArrayOf(data, "InnerHalfAngle", VTK_FLOAT, 1);
+  vtkDataArray* normals = ArrayOf(data, "Normal", VTK_FLOAT, 3);
+  vtkDataArray* occluders = ArrayOf(data, "OccluderId", VTK_INT, 1);
+  vtkDataArray* counts = ArrayOf(data, "VectorCount", VTK_INT, 1);
+  vtkDataArray* planarities = ArrayOf(data, "Planarity", VTK_FLOAT, 1);
+  vtkDataArray* overspills = ArrayOf(data, "Overspill", VTK_FLOAT, 1);
+  double vectorSum = 0.0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    EXPECT_LT(axes->GetComponent(i, 2), -0.9);
+    EXPECT_NEAR(normals->GetComponent(i, 2), -1.0, 2e-2); // the board is flat
+    EXPECT_GT(radii->GetTuple1(i), 0.0);
+    EXPECT_LT(radii->GetTuple1(i), 0.8);
+    // The lamp of radius 0.5 is 2 above the base.
+    EXPECT_GT(angles->GetTuple1(i), 0.5 * std::atan(0.5 / 2.0));
+    EXPECT_LT(angles->GetTuple1(i), std::atan((0.5 + radii->GetTuple1(i)) / 2.0) + 0.02);
+    EXPECT_LT(innerAngles->GetTuple1(i), angles->GetTuple1(i));
+    EXPECT_EQ(occluders->GetTuple1(i), 4.0);
+    EXPECT_GE(counts->GetTuple1(i), 20.0);
+    EXPECT_GE(planarities->GetTuple1(i), 0.0);
+    EXPECT_LT(planarities->GetTuple1(i), 0.25);
+    EXPECT_GE(overspills->GetTuple1(i), 0.0);
+    EXPECT_LT(overspills->GetTuple1(i), 0.3);
+    vectorSum += counts->GetTuple1(i);
+  }
+
+  EXPECT_EQ(FieldValue(cones, "NumberOfVectors"), 3000.0);
+  EXPECT_EQ(FieldValue(cones, "NumberOfCones"), static_cast<double>(count));
+  EXPECT_EQ(FieldValue(cones, "NumberOfDiscarded"), 3000.0 - vectorSum);
+  EXPECT_EQ(FieldValue(cones, "DiscardedFraction"), (3000.0 - vectorSum) / 3000.0);
+  EXPECT_EQ(FieldValue(cones, "Seed"), 9.0);
+  EXPECT_EQ(FieldValue(cones, "LightRadius"), 0.5);
+  const std::map<std::string, double> parameters = { { "Tuning", 0 }, { "NumberOfNeighbors", 100 },
+    { "NumberOfSectors", 20 }, { "PointsPerRing", 16 }, { "MinimumVectorsPerCone", 20 }, { "VarianceThreshold", 1.6 },
+    { "PlanarityThreshold", 0.25 }, { "CosineCorrection", 1 }, { "Expansion", 0 }, { "ExpansionFraction", 1 },
+    { "Overlap", 0 } };
+  for (const auto& [name, value] : parameters)
+  {
+    EXPECT_EQ(FieldValue(cones, name.c_str()), value) << name;
+  }
+
+  // The vectors with all that they had, and their cone.
+  vtkPolyData* labelled = filter->GetOutput(1);
+  ASSERT_EQ(labelled->GetNumberOfPoints(), 3000);
+  EXPECT_EQ(labelled->GetPointData()->GetNumberOfArrays(), input->GetPointData()->GetNumberOfArrays() + 1);
+  vtkDataArray* ids = ArrayOf(labelled->GetPointData(), "ConeId", VTK_ID_TYPE, 1);
+  std::map<vtkIdType, int> perCone;
+  for (vtkIdType i = 0; i < 3000; ++i)
+  {
+    ++perCone[static_cast<vtkIdType>(ids->GetTuple1(i))];
+    EXPECT_EQ(labelled->GetPoint(i)[0], input->GetPoint(i)[0]);
+    EXPECT_EQ(labelled->GetPointData()->GetArray("PathLength")->GetTuple1(i),
+      input->GetPointData()->GetArray("PathLength")->GetTuple1(i));
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    EXPECT_EQ(perCone[i], counts->GetTuple1(i)) << i;
+  }
+  EXPECT_EQ(perCone[-1], FieldValue(cones, "NumberOfDiscarded"));
+}
+
+TEST(ConeSetFilter, PathsAreOptional)
+{
+  vtkNew<vtkConeSetFilter> filter;
+  filter->SetInputData(Board().Vectors());
+  filter->Update();
+  ASSERT_GT(filter->GetOutput()->GetNumberOfPoints(), 5);
+  const double* range = filter->GetOutput()->GetPointData()->GetArray("Overspill")->GetRange();
+  EXPECT_EQ(range[0], -1.0);
+  EXPECT_EQ(range[1], -1.0);
+}
+
+TEST(ConeSetFilter, TakesVectorsOfAnotherTracer)
+{
+  // The least that another program has to write: points, directions in double precision, emission points.
+  const auto full = Board().Vectors();
+  vtkNew<vtkPolyData> plain;
+  plain->SetPoints(full->GetPoints());
+  for (const char* name : { "Direction", "EmissionPoint" })
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->DeepCopy(full->GetPointData()->GetArray(name));
+    array->SetName(name);
+    plain->GetPointData()->AddArray(array);
+  }
+  vtkNew<vtkConeSetFilter> filter;
+  filter->SetInputData(plain);
+  filter->Update();
+  ASSERT_GT(filter->GetOutput()->GetNumberOfPoints(), 5);
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("OccluderId")->GetRange()[1], 0.0);
+  // The light is then the sphere around the emission points: InnerHalfAngle changes little, the cones not at all.
+  vtkNew<vtkConeSetFilter> reference;
+  reference->SetInputData(full);
+  reference->Update();
+  ASSERT_EQ(filter->GetOutput()->GetNumberOfPoints(), reference->GetOutput()->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    for (const char* name : { "BaseRadius", "HalfAngle" })
+    {
+      EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(i),
+        reference->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(i));
+    }
+    EXPECT_NEAR(filter->GetOutput()->GetPointData()->GetArray("InnerHalfAngle")->GetTuple1(i),
+      reference->GetOutput()->GetPointData()->GetArray("InnerHalfAngle")->GetTuple1(i), 0.02);
+  }
+}
+
+TEST(ConeSetFilter, ParametersChangeWhatTheySay)
+{
+  const auto vectors = Board().Vectors();
+  vtkNew<vtkConeSetFilter> filter;
+  filter->SetInputData(vectors);
+  const auto run = [&] {
+    filter->Update();
+    return filter->GetOutput();
+  };
+  const auto largest = [&](const char* name) { return run()->GetPointData()->GetArray(name)->GetRange()[1]; };
+  const vtkIdType cones = run()->GetNumberOfPoints();
+  const double discarded = FieldValue(run(), "NumberOfDiscarded");
+  const double angle = largest("HalfAngle");
+
+  filter->SetExpansionFraction(0.5);
+  EXPECT_NEAR(largest("HalfAngle"), 0.5 * angle, 1e-6);
+  EXPECT_EQ(FieldValue(run(), "ExpansionFraction"), 0.5);
+  filter->SetExpansionFraction(1.0);
+  filter->SetExpansionToLightGeometry();
+  EXPECT_GT(largest("HalfAngle"), angle);
+  EXPECT_EQ(FieldValue(run(), "Expansion"), 2.0);
+  filter->SetExpansionToRadiusRatio();
+  EXPECT_EQ(FieldValue(run(), "Expansion"), 1.0);
+  EXPECT_GT(largest("HalfAngle"), 0.0);
+  filter->SetExpansionToMaximumDeviation();
+  filter->OverlapOn();
+  EXPECT_LT(FieldValue(run(), "NumberOfDiscarded"), discarded);
+  filter->OverlapOff();
+  filter->SetVarianceThreshold(0.6);
+  EXPECT_GT(FieldValue(run(), "NumberOfDiscarded"), discarded);
+  filter->SetVarianceThreshold(1.6);
+  filter->SetMinimumVectorsPerCone(90);
+  EXPECT_GE(run()->GetPointData()->GetArray("VectorCount")->GetRange()[0], 90.0);
+  EXPECT_LT(run()->GetNumberOfPoints(), cones);
+  filter->SetMinimumVectorsPerCone(20);
+  filter->SetNumberOfNeighbors(50);
+  EXPECT_LE(largest("VectorCount"), 50.0);
+  EXPECT_GT(run()->GetNumberOfPoints(), cones);
+
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* line : { "Tuning: Manual", "NumberOfNeighbors: 50", "NumberOfSectors: 20", "PointsPerRing: 16",
+         "MinimumVectorsPerCone: 20", "VarianceThreshold: 1.6", "PlanarityThreshold: 0.25", "CosineCorrection: on",
+         "Expansion: MaximumDeviation", "ExpansionFraction: 1", "Overlap: off" })
+  {
+    EXPECT_SAYS(text.str(), line);
+  }
+}
+
+TEST(ConeSetFilter, NoVectorsGiveNoCones)
+{
+  vtkNew<vtkPolyData> empty;
+  const Outcome outcome = Execute(empty, nullptr);
+  EXPECT_EQ(outcome.Cones, 0);
+  EXPECT_EQ(outcome.Errors, "");
+  vtkNew<vtkPolyData> noPaths;
+  const Outcome withPaths = Execute(Board().Vectors(), noPaths);
+  EXPECT_GT(withPaths.Cones, 5);
+  EXPECT_EQ(withPaths.Errors, "");
+}
+
+TEST(ConeSetFilterErrors, EachParameterHasItsMessage)
+{
+  const auto vectors = Board().Vectors();
+  const auto run = [&](const std::function<void(vtkConeSetFilter*)>& change) { return Execute(vectors, nullptr, change); };
+  ExpectFault(run([](vtkConeSetFilter* f) { f->SetNumberOfNeighbors(19); }), "must not be below MinimumVectorsPerCone (p4)");
+  ExpectFault(run([](vtkConeSetFilter* f) { f->SetNumberOfNeighbors(2); }), "NumberOfNeighbors (p1) must be at least 3");
+  ExpectFault(run([](vtkConeSetFilter* f) { f->SetNumberOfSectors(0); }), "NumberOfSectors (p2) must be at least 1");
+  ExpectFault(run([](vtkConeSetFilter* f) { f->SetPointsPerRing(0); }), "PointsPerRing (p3) must be at least 1");
+  ExpectFault(run([](vtkConeSetFilter* f) { f->SetMinimumVectorsPerCone(0); }), "MinimumVectorsPerCone (p4) must be at least 1");
+  ExpectFault(run([](vtkConeSetFilter* f) { f->SetVarianceThreshold(-1.0); }), "VarianceThreshold");
+  ExpectFault(run([](vtkConeSetFilter* f) { f->SetPlanarityThreshold(std::nan("")); }), "PlanarityThreshold");
+  ExpectFault(run([](vtkConeSetFilter* f) { f->SetExpansion(7); }), "Expansion must be");
+  ExpectFault(run([](vtkConeSetFilter* f) { f->SetExpansionFraction(1.5); }), "ExpansionFraction must lie in 0..1");
+}
+
+TEST(ConeSetFilterErrors, EachArrayHasItsMessage)
+{
+  auto vectors = Board().Vectors();
+  vectors->GetPointData()->RemoveArray("Direction");
+  ExpectFault(Execute(vectors, nullptr), "no array \"Direction\"");
+
+  vectors = Board().Vectors();
+  vectors->GetPointData()->RemoveArray("EmissionPoint");
+  EXPECT_EQ(Execute(vectors, nullptr).Errors, ""); // the light's exact shape is in the field data
+  vectors->GetFieldData()->RemoveArray("LightShape");
+  ExpectFault(Execute(vectors, nullptr), "no array \"EmissionPoint\"");
+
+  vectors = Board().Vectors();
+  vectors->GetFieldData()->RemoveArray("LightRadius");
+  ExpectFault(Execute(vectors, nullptr), "\"LightRadius\" is missing");
+
+  vectors = Board().Vectors();
+  vectors->GetPointData()->GetArray("Direction")->SetComponent(17, 0, std::nan(""));
+  ExpectFault(Execute(vectors, nullptr), "shadow vector 17");
+
+  vectors = Board().Vectors();
+  vectors->GetPointData()->GetArray("Direction")->SetTuple3(17, 0.0, 0.0, 2.0);
+  ExpectFault(Execute(vectors, nullptr), "not 1");
+
+  vectors = Board().Vectors();
+  vectors->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
+  ExpectFault(Execute(vectors, nullptr), "position of shadow vector 5 is not finite");
+
+  vectors = Board().Vectors();
+  vtkNew<vtkFloatArray> shortArray;
+  shortArray->SetName("Mine");
+  shortArray->SetNumberOfTuples(10);
+  vectors->GetPointData()->AddArray(shortArray);
+  ExpectFault(Execute(vectors, nullptr), "\"Mine\" has 10 tuples where 3000 are needed");
+
+  auto paths = Board().Paths();
+  paths->GetPointData()->RemoveArray("PathState");
+  ExpectFault(Execute(Board().Vectors(), paths), "no array \"PathState\"");
+
+  paths = Board().Paths();
+  paths->GetPointData()->GetArray("PathState")->SetTuple1(3, 4);
+  ExpectFault(Execute(Board().Vectors(), paths), "\"PathState\" of photon path 3 is 4");
+
+  // The mesh itself instead of its vectors: a slip that is easily made.
+  ExpectFault(Execute(MeshBuilder().AddSquare(0.0, 1.0, 0).Build(), nullptr), "no array \"Direction\"");
+}

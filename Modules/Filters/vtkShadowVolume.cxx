@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkShadowVolume.h"
+
+#include "scAdapters.h"
+#include "scConeField.h"
+#include "scPieces.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <sstream>
+
+namespace
+{
+using namespace shadowcones;
+
+constexpr vtkIdType largestNumberOfSamples = vtkIdType(1) << 28;
+/// A surface keeps this share of a cell away from grid points: neighbours of a point then have room for triangles.
+constexpr double smallestShare = 0.02;
+/// Cells smaller than this share of their coordinates lose their digits.
+constexpr double smallestCell = 1e-13;
+
+/// Cones and the id of their surface, in ascending order of it.
+using Groups = std::vector<std::pair<int, std::vector<Cone>>>;
+
+Groups GroupCones(const std::vector<Cone>& cones, bool perOccluder)
+{
+  std::map<int, std::vector<Cone>> groups;
+  for (const Cone& cone : cones)
+  {
+    groups[perOccluder ? cone.OccluderId : -1].push_back(cone);
+  }
+  return { groups.begin(), groups.end() };
+}
+
+/// Collects closed surfaces.
+class SolidBuilder
+{
+public:
+  /// Contour the field's zero; @p values is changed.
+  void AddSurface(const FieldGrid& grid, std::vector<float>& values, int occluderId)
+  {
+    const double nearest = smallestShare * std::min({ grid.Spacing.X, grid.Spacing.Y, grid.Spacing.Z });
+    for (float& value : values)
+    {
+      value = static_cast<float>(value < 0.0f ? std::min<double>(value, -nearest) : std::max<double>(value, nearest));
+    }
+    vtkNew<vtkFloatArray> scalars;
+    scalars->SetArray(values.data(), static_cast<vtkIdType>(values.size()), 1);
+    vtkNew<vtkImageData> image; // in units of cells: its points are in single precision
+    image->SetDimensions(grid.Dimensions.data());
+    image->GetPointData()->SetScalars(scalars);
+    vtkNew<vtkFlyingEdges3D> contour;
+    contour->SetInputData(image);
+    contour->SetValue(0, 0.0);
+    contour->ComputeNormalsOff();
+    contour->ComputeScalarsOff();
+    contour->Update();
+    this->Append(contour->GetOutput(), grid, occluderId);
+  }
+
+  void Finish(vtkPolyData* output, vtkFieldData* fieldData)
+  {
+    output->SetPoints(this->Points);
+    output->SetPolys(this->Triangles);
+    AddIntArray(output->GetCellData(), "OccluderId", 1, this->OccluderIds);
+    output->GetFieldData()->PassData(fieldData);
+  }
+
+  SolidBuilder() { this->Points->SetDataTypeToDouble(); }
+
+private:
+  void Append(vtkPolyData* surface, const FieldGrid& grid, int occluderId)
+  {
+    const vtkIdType first = this->Points->GetNumberOfPoints();
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      surface->GetPoint(i, p);
+      this->Points->InsertNextPoint(grid.Origin.X + p[0] * grid.Spacing.X, grid.Origin.Y + p[1] * grid.Spacing.Y,
+        grid.Origin.Z + p[2] * grid.Spacing.Z);
+    }
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    vtkCellArray* triangles = surface->GetPolys();
+    for (triangles->InitTraversal(); triangles->GetNextCell(count, ids);)
+    {
+      // The contour faces the way the field falls, which is inward.
+      const vtkIdType triangle[3] = { first + ids[0], first + ids[2], first + ids[1] };
+      this->Triangles->InsertNextCell(3, triangle);
+      this->OccluderIds.push_back(occluderId);
+    }
+  }
+
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Triangles;
+  std::vector<int> OccluderIds;
+};
+
+/// What a grid over the region would need that cannot be had; empty where it can.
+std::string CheckRegion(const Box& region, int resolution)
+{
+  std::ostringstream fault;
+  const Vector3 size = region.Size();
+  double largest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    largest = std::max({ largest, std::abs(region.Min[axis]), std::abs(region.Max[axis]) });
+  }
+  const double cell = std::max({ size.X, size.Y, size.Z }) / resolution;
+  if (!std::isfinite(region.Diagonal()) || !(cell > smallestCell * largest))
+  {
+    fault << "cells of " << cell << " at coordinates up to " << largest << ", beyond double precision: set Bounds or Length.";
+    return fault.str();
+  }
+  const vtkIdType samples = GridOver(region, resolution).NumberOfPoints();
+  if (samples > largestNumberOfSamples)
+  {
+    fault << samples << " samples at Resolution " << resolution << ", more than " << largestNumberOfSamples
+          << ": lower Resolution.";
+  }
+  return fault.str();
+}
+
+double DiagonalOfBases(const std::vector<Cone>& cones)
+{
+  Box box;
+  for (const Cone& cone : cones)
+  {
+    const Vector3 radius{ cone.BaseRadius, cone.BaseRadius, cone.BaseRadius };
+    box.Add(cone.Center - radius);
+    box.Add(cone.Center + radius);
+  }
+  return box.Diagonal();
+}
+} // anonymous namespace
+
+vtkStandardNewMacro(vtkShadowVolume);
+
+vtkShadowVolume::vtkShadowVolume()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+bool vtkShadowVolume::HasBounds() const
+{
+  const double* b = this->Bounds;
+  return !(b[0] == 1.0 && b[1] == -1.0 && b[2] == 1.0 && b[3] == -1.0 && b[4] == 1.0 && b[5] == -1.0);
+}
+
+int vtkShadowVolume::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  HandlePieces(outputVector);
+  return 1;
+}
+
+int vtkShadowVolume::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  RequestWholeInputs(this, inputVector);
+  return 1;
+}
+
+std::string vtkShadowVolume::CheckParameters() const
+{
+  std::ostringstream fault;
+  const double* b = this->Bounds;
+  if (this->Resolution < 4 || this->Resolution > 1024)
+  {
+    fault << "Resolution is " << this->Resolution << "; it must be from 4 to 1024.";
+  }
+  else if (!(this->Length >= 0.0 && std::isfinite(this->Length)))
+  {
+    fault << "Length is " << this->Length << "; it must be finite and 0 or more.";
+  }
+  else if (this->HasBounds() &&
+    !(b[0] < b[1] && b[2] < b[3] && b[4] < b[5] && std::all_of(b, b + 6, [](double x) { return std::isfinite(x); })))
+  {
+    fault << "Bounds are " << b[0] << ", " << b[1] << ", " << b[2] << ", " << b[3] << ", " << b[4] << ", " << b[5]
+          << "; on each axis they must be finite and go from less to more.";
+  }
+  return fault.str();
+}
+
+int vtkShadowVolume::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+
+  std::vector<Cone> cones;
+  std::string error = this->CheckParameters();
+  if (!error.empty() || !ReadConeSet(input, cones, error))
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  const double* b = this->Bounds;
+  const Box bounds = this->HasBounds() ? Box{ { b[0], b[2], b[4] }, { b[1], b[3], b[5] } } : Box{};
+  const double length = this->Length > 0.0 ? this->Length : this->HasBounds() ? HUGE_VAL : DiagonalOfBases(cones);
+  if (!cones.empty() && !(length > 0.0))
+  {
+    vtkErrorMacro("The base discs of the cone set have no extent to take a length from: set Length or Bounds.");
+    return 0;
+  }
+
+  const Groups groups = GroupCones(cones, this->PerOccluder);
+  const PieceRequest piece = RequestedPiece(request, outputVector);
+  const vtkIdType begin = piece.Begin(static_cast<vtkIdType>(groups.size()));
+  const vtkIdType end = piece.End(static_cast<vtkIdType>(groups.size()));
+  const Monitor monitor = MonitorOf(this);
+  SolidBuilder solids[2];
+  try
+  {
+    for (vtkIdType i = 2 * begin; i < 2 * end; ++i)
+    {
+      const auto& group = groups[i / 2];
+      const ConeField field(group.second, static_cast<ConeBound>(i % 2), length, bounds);
+      if (field.Region().Empty())
+      {
+        continue;
+      }
+      error = CheckRegion(field.Region(), this->Resolution);
+      if (!error.empty())
+      {
+        vtkErrorMacro("The " << (i % 2 ? "inner" : "outer") << " bound of occluder " << group.first << " needs " << error);
+        return 0;
+      }
+      const double steps = static_cast<double>(2 * (end - begin));
+      const Monitor part = monitor.Part((i - 2 * begin) / steps, (i - 2 * begin + 1) / steps);
+      const FieldGrid grid = GridOver(field.Region(), this->Resolution);
+      std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
+      if (!field.Sample(grid, part, values.data()))
+      {
+        return 1; // aborted: the outputs stay empty
+      }
+      solids[i % 2].AddSurface(grid, values, group.first);
+    }
+  }
+  catch (const std::exception& exception)
+  {
+    vtkErrorMacro("Contouring the cones failed: " << exception.what());
+    return 0;
+  }
+  for (int port = 0; port < 2; ++port)
+  {
+    solids[port].Finish(vtkPolyData::GetData(outputVector, port), input->GetFieldData());
+  }
+  return 1;
+}
+
+void vtkShadowVolume::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const double* b = this->Bounds;
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Bounds: " << b[0] << ", " << b[1] << ", " << b[2] << ", " << b[3] << ", " << b[4] << ", " << b[5] << "\n";
+  os << indent << "Length: " << this->Length << "\n";
+  os << indent << "PerOccluder: " << (this->PerOccluder ? "on" : "off") << "\n";
+}

@@ -1,0 +1,613 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkScatteringImageFilter.h"
+
+#include "scAdapters.h"
+#include "vtkAreaLightSource.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace
+{
+
+constexpr int width = 12;
+constexpr int height = 10;
+const char* const arrays[] = { "Radiance", "InScattering", "SurfaceRadiance", "Transmittance", "Depth", "RelativeError",
+  "SampleCount", "RGB" };
+
+vtkSmartPointer<vtkPolyData> Plane(const double origin[3], const double u[3], const double v[3])
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(origin[0], origin[1], origin[2]);
+  plane->SetPoint1(origin[0] + u[0], origin[1] + u[1], origin[2] + u[2]);
+  plane->SetPoint2(origin[0] + v[0], origin[1] + v[1], origin[2] + v[2]);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+/// A tilted plate over a floor.
+vtkSmartPointer<vtkPolyData> PlateAndFloor()
+{
+  const double plate[3][3] = { { -0.7, 0.1, -0.5 }, { 1.2, 0.3, 0.0 }, { 0.0, 0.1, 1.1 } };
+  const double floor[3][3] = { { -2.0, -1.9, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 4.0 } };
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(Plane(plate[0], plate[1], plate[2]));
+  append->AddInputData(Plane(floor[0], floor[1], floor[2]));
+  append->Update();
+  return append->GetOutput();
+}
+
+/// One cone that holds all of the plate's shadow.
+vtkSmartPointer<vtkPolyData> BoundingCone()
+{
+  shadowcones::Cone cone;
+  cone.Center = { -0.1, 0.9, 0.0 };
+  cone.Axis = { 0.0, -1.0, 0.0 };
+  cone.Normal = cone.Axis;
+  cone.BaseRadius = 1.5;
+  cone.HalfAngle = std::atan(2.0 / 1.1);
+  cone.OccluderId = 0;
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  shadowcones::WriteConeSet({ cone }, output);
+  return output;
+}
+
+/// Errors of a filter and its executive, kept instead of printed.
+class Messages
+{
+public:
+  explicit Messages(vtkAlgorithm* filter)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
+      { static_cast<Messages*>(self)->Text += static_cast<const char*>(text); });
+    filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+  std::string Text;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+class ScatteringImageFilter : public testing::Test
+{
+protected:
+  ScatteringImageFilter()
+  {
+    this->Light->SetShapeToDisc();
+    this->Light->SetCenter(0.0, 2.0, 0.0);
+    this->Light->SetNormal(0.0, -1.0, 0.0);
+    this->Light->SetRadius(0.4);
+    this->Camera->SetPosition(0.0, 0.0, 7.0);
+    this->Camera->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Camera->SetViewAngle(38.0);
+    this->Filter->SetInputData(PlateAndFloor());
+    this->Filter->SetLightConnection(this->Light->GetOutputPort());
+    this->Filter->SetCamera(this->Camera);
+    this->Filter->SetResolution(width, height);
+    this->Filter->SetMediumBounds(-2.0, 2.0, -2.0, 2.0, -2.0, 2.0);
+    this->Filter->SetNumberOfSteps(10);
+    this->Filter->SetNumberOfLightSamples(4);
+  }
+
+  vtkSmartPointer<vtkImageData> Image()
+  {
+    this->Filter->Update();
+    auto copy = vtkSmartPointer<vtkImageData>::New();
+    copy->DeepCopy(this->Filter->GetOutput());
+    return copy;
+  }
+
+  /// Update must fail with a message that holds the text, and leave no image.
+  void ExpectError(const std::string& part)
+  {
+    Messages messages(this->Filter);
+    this->Filter->Modified();
+    this->Filter->Update();
+    EXPECT_NE(messages.Text.find(part), std::string::npos) << "got: " << messages.Text;
+    EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  }
+
+  vtkNew<vtkAreaLightSource> Light;
+  vtkNew<vtkCamera> Camera;
+  vtkNew<vtkScatteringImageFilter> Filter;
+};
+
+void ExpectSameBytes(vtkImageData* a, vtkImageData* b)
+{
+  for (const char* name : arrays)
+  {
+    vtkDataArray* first = a->GetPointData()->GetArray(name);
+    vtkDataArray* second = b->GetPointData()->GetArray(name);
+    ASSERT_TRUE(first && second) << name;
+    ASSERT_EQ(first->GetNumberOfValues(), second->GetNumberOfValues()) << name;
+    const auto bytes = static_cast<std::size_t>(first->GetNumberOfValues()) * first->GetDataTypeSize();
+    EXPECT_EQ(std::memcmp(first->GetVoidPointer(0), second->GetVoidPointer(0), bytes), 0) << name;
+  }
+}
+
+double Sum(vtkImageData* image, const char* name)
+{
+  vtkDataArray* array = image->GetPointData()->GetArray(name);
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    sum += array->GetComponent(i, 0);
+  }
+  return sum;
+}
+
+double Field(vtkImageData* image, const char* name, int component = 0)
+{
+  vtkDataArray* array = image->GetFieldData()->GetArray(name);
+  return array ? array->GetComponent(0, component) : std::nan("");
+}
+
+} // namespace
+
+TEST_F(ScatteringImageFilter, OutputHoldsEveryDocumentedArray)
+{
+  this->Filter->SetSigmaA(0.02);
+  this->Filter->SetSigmaSSpectrum(2, 0.3);
+  const auto image = this->Image();
+  int extent[6];
+  image->GetExtent(extent);
+  EXPECT_EQ(extent[1], width - 1);
+  EXPECT_EQ(extent[3], height - 1);
+  EXPECT_EQ(extent[5], 0);
+  const int types[] = { VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_INT, VTK_UNSIGNED_CHAR };
+  const int components[] = { 7, 7, 7, 7, 1, 1, 1, 3 };
+  for (int i = 0; i < 8; ++i)
+  {
+    vtkDataArray* array = image->GetPointData()->GetArray(arrays[i]);
+    ASSERT_NE(array, nullptr) << arrays[i];
+    EXPECT_EQ(array->GetDataType(), types[i]) << arrays[i];
+    EXPECT_EQ(array->GetNumberOfComponents(), components[i]) << arrays[i];
+    EXPECT_EQ(array->GetNumberOfTuples(), width * height) << arrays[i];
+  }
+  EXPECT_EQ(image->GetPointData()->GetScalars(), image->GetPointData()->GetArray("RGB"));
+  EXPECT_GT(Sum(image, "InScattering"), 0.0);
+  EXPECT_GT(Sum(image, "SurfaceRadiance"), 0.0);
+  EXPECT_EQ(Field(image, "Mode"), 0.0);
+  EXPECT_EQ(Field(image, "Seed"), 1.0);
+  EXPECT_EQ(Field(image, "CameraPosition", 2), 7.0);
+  EXPECT_EQ(Field(image, "CameraViewAngle"), 38.0);
+  EXPECT_EQ(Field(image, "SigmaS", 1), 0.1);
+  EXPECT_EQ(Field(image, "SigmaS", 2), 0.3);
+  EXPECT_EQ(Field(image, "SigmaA", 6), 0.02);
+  EXPECT_EQ(Field(image, "MediumBounds", 3), 2.0);
+  EXPECT_GT(Field(image, "NumberOfOcclusionRays"), 0.0);
+  EXPECT_GE(Field(image, "RenderSeconds"), 0.0);
+}
+
+TEST_F(ScatteringImageFilter, MediumHasTheBytesOfBruteForceAndFastIsDarker)
+{
+  const auto bruteForce = this->Image();
+  this->Filter->SetConeSetData(BoundingCone());
+  this->Filter->SetModeToMedium();
+  const auto medium = this->Image();
+  ExpectSameBytes(bruteForce, medium);
+  EXPECT_LT(Field(medium, "NumberOfOcclusionRays"), Field(bruteForce, "NumberOfOcclusionRays"));
+  this->Filter->SetModeToFast();
+  const auto fast = this->Image();
+  EXPECT_LT(Sum(fast, "InScattering"), Sum(bruteForce, "InScattering"));
+  EXPECT_EQ(Field(fast, "NumberOfOcclusionRays"), 0.0);
+  // Cut short, the cones darken less (section 5).
+  this->Filter->SetConeLength(1.5);
+  EXPECT_GT(Sum(this->Image(), "InScattering"), Sum(fast, "InScattering"));
+}
+
+TEST_F(ScatteringImageFilter, FastCastsShadowsOfOtherOccludersOnSurfaces)
+{
+  this->Filter->SetConeSetData(BoundingCone());
+  this->Filter->SetModeToFast();
+  this->Camera->SetPosition(0.0, 5.0, 6.0);
+  // Without ids the floor is the cone's own occluder; with them it is another one and lies in the cone.
+  const double own = Sum(this->Image(), "SurfaceRadiance");
+  auto mesh = PlateAndFloor();
+  shadowcones::AddIntArray(mesh->GetCellData(), "OccluderId", 1, { 0, 1 });
+  this->Filter->SetInputData(mesh);
+  const double foreign = Sum(this->Image(), "SurfaceRadiance");
+  EXPECT_LT(foreign, 0.7 * own);
+  EXPECT_GT(foreign, 0.0);
+}
+
+TEST_F(ScatteringImageFilter, AnUnoccludedSceneIsTheSameInEveryMode)
+{
+  this->Filter->SetInputData(vtkNew<vtkPolyData>().Get());
+  this->Filter->SetConeSetData(vtkNew<vtkPolyData>().Get());
+  const auto bruteForce = this->Image();
+  EXPECT_GT(Sum(bruteForce, "InScattering"), 0.0);
+  EXPECT_EQ(Sum(bruteForce, "Depth"), -1.0 * width * height);
+  this->Filter->SetModeToMedium();
+  ExpectSameBytes(bruteForce, this->Image());
+  this->Filter->SetModeToFast();
+  ExpectSameBytes(bruteForce, this->Image());
+}
+
+TEST_F(ScatteringImageFilter, TheSameBytesForAnyNumberOfThreads)
+{
+  vtkSMPTools::Initialize(1);
+  const auto one = this->Image();
+  vtkSMPTools::Initialize(2);
+  this->Filter->Modified();
+  const auto two = this->Image();
+  vtkSMPTools::Initialize();
+  ExpectSameBytes(one, two);
+}
+
+TEST_F(ScatteringImageFilter, FourPiecesMakeTheWholeImage)
+{
+  const auto whole = this->Image();
+  double rays = 0.0;
+  int pixels = 0;
+  for (int piece = 0; piece < 4; ++piece)
+  {
+    vtkNew<vtkScatteringImageFilter> filter;
+    filter->SetInputData(PlateAndFloor());
+    filter->SetLightConnection(this->Light->GetOutputPort());
+    filter->SetCamera(this->Camera);
+    filter->SetResolution(width, height);
+    filter->SetMediumBounds(-2.0, 2.0, -2.0, 2.0, -2.0, 2.0);
+    filter->SetNumberOfSteps(10);
+    filter->SetNumberOfLightSamples(4);
+    filter->UpdateInformation();
+    filter->UpdatePiece(piece, 4, 0);
+    vtkImageData* part = filter->GetOutput();
+    int extent[6];
+    part->GetExtent(extent);
+    ASSERT_LT(part->GetNumberOfPoints(), width * height);
+    rays += Field(part, "NumberOfOcclusionRays");
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i, ++pixels)
+      {
+        int ijk[3] = { i, j, 0 };
+        for (const char* name : arrays)
+        {
+          vtkDataArray* a = part->GetPointData()->GetArray(name);
+          vtkDataArray* b = whole->GetPointData()->GetArray(name);
+          for (int c = 0; c < a->GetNumberOfComponents(); ++c)
+          {
+            ASSERT_EQ(a->GetComponent(part->ComputePointId(ijk), c), b->GetComponent(whole->ComputePointId(ijk), c));
+          }
+        }
+      }
+    }
+  }
+  // Pieces of structured data share their borders.
+  EXPECT_GE(pixels, width * height);
+  EXPECT_GE(rays, Field(whole, "NumberOfOcclusionRays"));
+}
+
+TEST_F(ScatteringImageFilter, ASubExtentIsCutFromTheWhole)
+{
+  const auto whole = this->Image();
+  int extent[6] = { 3, 7, 2, 5, 0, 0 };
+  this->Filter->Modified();
+  this->Filter->UpdateExtent(extent);
+  vtkImageData* part = this->Filter->GetOutput();
+  ASSERT_EQ(part->GetNumberOfPoints(), 20);
+  int ijk[3] = { 4, 3, 0 };
+  vtkDataArray* a = part->GetPointData()->GetArray("Radiance");
+  vtkDataArray* b = whole->GetPointData()->GetArray("Radiance");
+  EXPECT_EQ(a->GetComponent(part->ComputePointId(ijk), 0), b->GetComponent(whole->ComputePointId(ijk), 0));
+}
+
+TEST_F(ScatteringImageFilter, TheCameraIsPartOfTheState)
+{
+  const auto before = this->Image();
+  const vtkMTimeType time = this->Filter->GetMTime();
+  this->Camera->Azimuth(20.0);
+  EXPECT_GT(this->Filter->GetMTime(), time);
+  EXPECT_NE(Sum(before, "Depth"), Sum(this->Image(), "Depth"));
+  this->Camera->ParallelProjectionOn();
+  this->Camera->SetParallelScale(2.5);
+  const auto parallel = this->Image();
+  EXPECT_EQ(Field(parallel, "CameraParallelProjection"), 1.0);
+  EXPECT_GT(Sum(parallel, "InScattering"), 0.0);
+}
+
+TEST_F(ScatteringImageFilter, WithoutACameraItLooksAtTheMeshFromTheFront)
+{
+  this->Filter->SetCamera(nullptr);
+  const auto image = this->Image();
+  EXPECT_EQ(Field(image, "CameraPosition", 0), 0.0);
+  EXPECT_GT(Field(image, "CameraPosition", 2), 2.0);
+  int seen = 0;
+  vtkDataArray* depth = image->GetPointData()->GetArray("Depth");
+  for (vtkIdType i = 0; i < depth->GetNumberOfTuples(); ++i)
+  {
+    seen += depth->GetComponent(i, 0) > 0.0;
+  }
+  EXPECT_GT(seen, 0);
+  EXPECT_LT(seen, width * height);
+}
+
+TEST_F(ScatteringImageFilter, UnsetBoundsAreTheJointBoundsEnlarged)
+{
+  this->Filter->SetMediumBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  const auto image = this->Image();
+  EXPECT_NEAR(Field(image, "MediumBounds", 0), -2.2, 1e-6);
+  EXPECT_NEAR(Field(image, "MediumBounds", 1), 2.2, 1e-6);
+  // From the floor at -1.9 to the lamp at 2: 3.9 high.
+  EXPECT_NEAR(Field(image, "MediumBounds", 2), -1.9 - 0.195, 1e-5);
+  EXPECT_NEAR(Field(image, "MediumBounds", 3), 2.0 + 0.195, 1e-5);
+}
+
+TEST_F(ScatteringImageFilter, ReflectanceComesFromTheMesh)
+{
+  this->Filter->SetSigmaS(0.0);
+  const double half = Sum(this->Image(), "SurfaceRadiance");
+  auto mesh = PlateAndFloor();
+  shadowcones::AddFloatArray(mesh->GetCellData(), "Reflectance", 1, { 0.25f, 0.25f });
+  this->Filter->SetInputData(mesh);
+  EXPECT_NEAR(Sum(this->Image(), "SurfaceRadiance"), 0.5 * half, 1e-5 * half);
+}
+
+TEST_F(ScatteringImageFilter, ExposureBrightensRgbAlone)
+{
+  this->Filter->LightVisibleOff();
+  const auto dim = this->Image();
+  this->Filter->SetExposure(4.0);
+  const auto bright = this->Image();
+  EXPECT_GT(Sum(bright, "RGB"), Sum(dim, "RGB"));
+  EXPECT_EQ(Sum(bright, "Radiance"), Sum(dim, "Radiance"));
+}
+
+TEST_F(ScatteringImageFilter, LightWavelengthsGiveRgbItsColours)
+{
+  this->Filter->SetExposure(100.0);
+  this->Light->SetNumberOfWavelengths(2);
+  this->Light->Update();
+  vtkNew<vtkPolyData> light;
+  light->DeepCopy(this->Light->GetOutput());
+  light->GetFieldData()->RemoveArray("LightSpectrum");
+  shadowcones::AddDoubleArray(light->GetFieldData(), "LightSpectrum", 1, { 0.0, 1.0 });
+  const auto redness = [this, &light](double second)
+  {
+    light->GetFieldData()->RemoveArray("LightWavelengths");
+    shadowcones::AddDoubleArray(light->GetFieldData(), "LightWavelengths", 1, { 550.0, second });
+    light->Modified();
+    this->Filter->SetLightData(light);
+    const auto image = this->Image();
+    double red = 0.0;
+    double blue = 0.0;
+    vtkDataArray* rgb = image->GetPointData()->GetArray("RGB");
+    for (vtkIdType i = 0; i < rgb->GetNumberOfTuples(); ++i)
+    {
+      red += rgb->GetComponent(i, 0);
+      blue += rgb->GetComponent(i, 2);
+    }
+    return red - blue;
+  };
+  EXPECT_GT(redness(620.0), 0.0);
+  EXPECT_LT(redness(450.0), 0.0);
+}
+
+TEST_F(ScatteringImageFilter, PresetsSetTheLobes)
+{
+  this->Filter->SetPhasePresetToMurkyMie();
+  EXPECT_EQ(this->Filter->GetPhaseFunction(), vtkScatteringImageFilter::BlasiSchlick);
+  EXPECT_DOUBLE_EQ(this->Filter->GetPhaseLobes()[2], 0.91);
+  this->Filter->SetPhasePresetToHazyMie();
+  EXPECT_DOUBLE_EQ(this->Filter->GetPhaseLobes()[0], 0.12);
+  this->Filter->SetPhasePresetToRayleigh();
+  const double lobes = Sum(this->Image(), "InScattering");
+  this->Filter->SetPhaseFunctionToRayleigh();
+  EXPECT_NEAR(lobes / Sum(this->Image(), "InScattering"), 1.0, 0.052);
+  this->Filter->SetPhaseFunctionToIsotropic();
+  const double isotropic = Sum(this->Image(), "InScattering");
+  this->Filter->SetPhaseFunctionToHenyeyGreenstein();
+  EXPECT_NEAR(Sum(this->Image(), "InScattering") / isotropic, 1.0, 1e-6) << "asymmetry 0";
+}
+
+TEST_F(ScatteringImageFilter, InputsStayAsTheyAre)
+{
+  auto mesh = PlateAndFloor();
+  auto cones = BoundingCone();
+  vtkNew<vtkPolyData> meshBefore;
+  meshBefore->DeepCopy(mesh);
+  const vtkMTimeType meshTime = mesh->GetMTime();
+  const vtkMTimeType conesTime = cones->GetMTime();
+  this->Filter->SetInputData(mesh);
+  this->Filter->SetConeSetData(cones);
+  this->Filter->SetModeToMedium();
+  this->Filter->Update();
+  EXPECT_EQ(mesh->GetMTime(), meshTime);
+  EXPECT_EQ(cones->GetMTime(), conesTime);
+  EXPECT_EQ(mesh->GetNumberOfPoints(), meshBefore->GetNumberOfPoints());
+  EXPECT_EQ(mesh->GetCellData()->GetNumberOfArrays(), meshBefore->GetCellData()->GetNumberOfArrays());
+}
+
+TEST_F(ScatteringImageFilter, ReportsProgressAndStopsOnAbort)
+{
+  vtkNew<vtkCallbackCommand> progress;
+  double last = 0.0;
+  progress->SetClientData(&last);
+  progress->SetCallback([](vtkObject*, unsigned long, void* last, void* share)
+    { *static_cast<double*>(last) = *static_cast<double*>(share); });
+  this->Filter->AddObserver(vtkCommand::ProgressEvent, progress);
+  this->Filter->Update();
+  EXPECT_EQ(last, 1.0);
+
+  this->Filter->SetResolution(640, 640);
+  this->Filter->SetNumberOfSteps(500);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback(
+    [](vtkObject* filter, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1); });
+  this->Filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+}
+
+TEST_F(ScatteringImageFilter, MissingInputsHaveTheirOwnMessages)
+{
+  this->Image(); // so that an old image could be left behind
+  this->Filter->SetModeToMedium();
+  this->ExpectError("Mode is Medium but there is no cone set: connect a vtkConeSetFilter");
+  this->Filter->SetModeToFast();
+  this->ExpectError("Mode is Fast but there is no cone set");
+  auto cones = BoundingCone();
+  cones->GetPointData()->RemoveArray("BaseRadius");
+  this->Filter->SetConeSetData(cones);
+  this->ExpectError("\"BaseRadius\"");
+  this->Filter->SetModeToBruteForce();
+  this->Filter->SetLightConnection(nullptr);
+  this->ExpectError("There is no light: connect a vtkAreaLightSource");
+  this->Filter->SetLightData(vtkNew<vtkPolyData>().Get());
+  this->ExpectError("Light (input port 1):");
+}
+
+TEST_F(ScatteringImageFilter, BadInputsHaveTheirOwnMessages)
+{
+  auto mesh = PlateAndFloor();
+  mesh->GetPoints()->SetPoint(3, std::nan(""), 0.0, 0.0);
+  this->Filter->SetInputData(mesh);
+  this->ExpectError("Mesh (input port 0): Point 3");
+
+  mesh = PlateAndFloor();
+  shadowcones::AddFloatArray(mesh->GetCellData(), "Reflectance", 3, std::vector<float>(6, 0.5f));
+  this->Filter->SetInputData(mesh);
+  this->ExpectError("\"Reflectance\" of the mesh has 3 components: it must have 1, or 7");
+
+  mesh = PlateAndFloor();
+  shadowcones::AddFloatArray(mesh->GetCellData(), "Reflectance", 1, { 0.5f, 1.5f });
+  this->Filter->SetInputData(mesh);
+  this->ExpectError("\"Reflectance\" of the mesh is 1.5 at cell 1");
+
+  this->Filter->SetInputData(vtkNew<vtkPolyData>().Get());
+  this->Filter->SetMediumBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  this->Light->SetShapeToSun();
+  this->ExpectError("MediumBounds are not set");
+}
+
+TEST_F(ScatteringImageFilter, BadParametersHaveTheirOwnMessages)
+{
+  const double nan = std::nan("");
+  vtkScatteringImageFilter* f = this->Filter;
+  const auto expect = [&](const char* message, auto&& set, auto&& restore)
+  {
+    set();
+    this->ExpectError(message);
+    restore();
+  };
+  expect(
+    "Mode is 7", [&] { f->SetMode(7); }, [&] { f->SetModeToBruteForce(); });
+  expect(
+    "PhaseFunction is -1", [&] { f->SetPhaseFunction(-1); }, [&] { f->SetPhaseFunctionToIsotropic(); });
+  expect(
+    "PhaseLobes are 2", [&] { f->SetPhaseLobes(2.0, 0.0, 0.0); }, [&] { f->SetPhaseLobes(0.5, 0.1, 0.1); });
+  expect(
+    "PhaseAsymmetry is 1", [&] { f->SetPhaseAsymmetry(1.0); }, [&] { f->SetPhaseAsymmetry(0.0); });
+  expect(
+    "NumberOfSteps is 0", [&] { f->SetNumberOfSteps(0); }, [&] { f->SetNumberOfSteps(4); });
+  expect(
+    "MaximumDepth is 17", [&] { f->SetMaximumDepth(17); }, [&] { f->SetMaximumDepth(1); });
+  expect(
+    "IntensityThreshold is nan", [&] { f->SetIntensityThreshold(nan); }, [&] { f->SetIntensityThreshold(0.1); });
+  expect(
+    "NumberOfLightSamples is 0", [&] { f->SetNumberOfLightSamples(0); }, [&] { f->SetNumberOfLightSamples(2); });
+  expect(
+    "NumberOfSurfaceLightSamples is -1", [&] { f->SetNumberOfSurfaceLightSamples(-1); },
+    [&] { f->SetNumberOfSurfaceLightSamples(2); });
+  expect(
+    "Reflectance is 1.1", [&] { f->SetReflectance(1.1); }, [&] { f->SetReflectance(0.5); });
+  expect(
+    "ConeLength is -1", [&] { f->SetConeLength(-1.0); }, [&] { f->SetConeLength(0.0); });
+  expect(
+    "Exposure is 0", [&] { f->SetExposure(0.0); }, [&] { f->SetExposure(1.0); });
+  expect(
+    "SigmaS is -1 at wavelength sample 0", [&] { f->SetSigmaS(-1.0); }, [&] { f->SetSigmaS(0.1); });
+  expect(
+    "SigmaA is inf at wavelength sample 3", [&] { f->SetSigmaASpectrum(3, std::numeric_limits<double>::infinity()); },
+    [&] { f->SetSigmaA(0.0); });
+  expect(
+    "SetSigmaSSpectrum was given wavelength sample 7, but the light has 7 samples",
+    [&] { f->SetSigmaSSpectrum(7, 0.1); }, [&] { f->SetSigmaS(0.1); });
+  expect(
+    "MediumBounds along y", [&] { f->SetMediumBounds(0.0, 1.0, 1.0, 0.0, 0.0, 1.0); },
+    [&] { f->SetMediumBounds(-2.0, 2.0, -2.0, 2.0, -2.0, 2.0); });
+  expect(
+    "Resolution is 0 x 4", [&] { f->SetResolution(0, 4); }, [&] { f->SetResolution(4, 4); });
+  expect(
+    "The camera's position and focal point must be finite and differ",
+    [&] { this->Camera->SetPosition(nan, 0.0, 0.0); }, [&] { this->Camera->SetPosition(0.0, 0.0, 7.0); });
+  expect(
+    "The camera's view up runs along its direction of view", [&] { this->Camera->SetViewUp(0.0, 0.0, 1.0); },
+    [&] { this->Camera->SetViewUp(0.0, 1.0, 0.0); });
+  // After all that the filter still works.
+  EXPECT_GT(Sum(this->Image(), "InScattering"), 0.0);
+}
+
+TEST_F(ScatteringImageFilter, FarAwayAndTinyMeshesWork)
+{
+  const double whole = Sum(this->Image(), "InScattering");
+  auto mesh = PlateAndFloor();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    points->InsertNextPoint(p[0] + 1e6, p[1], p[2]);
+  }
+  mesh->SetPoints(points);
+  this->Filter->SetInputData(mesh);
+  this->Light->SetCenter(1e6, 2.0, 0.0);
+  this->Filter->SetMediumBounds(1e6 - 2.0, 1e6 + 2.0, -2.0, 2.0, -2.0, 2.0);
+  this->Camera->SetPosition(1e6, 0.0, 7.0);
+  this->Camera->SetFocalPoint(1e6, 0.0, 0.0);
+  EXPECT_NEAR(Sum(this->Image(), "InScattering") / whole, 1.0, 0.01);
+}
+
+TEST_F(ScatteringImageFilter, PrintsEveryMember)
+{
+  std::ostringstream text;
+  this->Filter->SetSigmaSSpectrum(1, 0.4);
+  this->Filter->Print(text);
+  for (const char* name : { "Camera:", "Resolution: 12 x 10", "Mode:", "SigmaS:", "SigmaSSpectrum: nan 0.4",
+         "SigmaA:", "SigmaASpectrum: (none)", "PhaseFunction:", "PhaseLobes:", "PhaseAsymmetry:", "MediumBounds:",
+         "NumberOfSteps: 10", "MaximumDepth:", "IntensityThreshold:", "NumberOfLightSamples: 4",
+         "NumberOfSurfaceLightSamples:", "LightVisible: On", "Reflectance:", "ConeLength:", "Exposure:", "Seed:" })
+  {
+    EXPECT_NE(text.str().find(name), std::string::npos) << name;
+  }
+}
+
+TEST_F(ScatteringImageFilter, SpectraFillFromTheCommonValue)
+{
+  this->Filter->SetSigmaS(0.2);
+  this->Filter->SetSigmaSSpectrum(4, 0.5);
+  EXPECT_EQ(this->Filter->GetSigmaSSpectrum(3), 0.2);
+  EXPECT_EQ(this->Filter->GetSigmaSSpectrum(4), 0.5);
+  EXPECT_EQ(this->Filter->GetSigmaSSpectrum(6), 0.2);
+  this->Filter->SetSigmaS(0.2);
+  EXPECT_EQ(this->Filter->GetSigmaSSpectrum(4), 0.2) << "every wavelength again";
+}

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The probe against closed forms 1 to 4, Exact and Soft, and the Earth's shadow: far away and under tiny angles.
+#include "TestMeshes.h"
+
+#include "scConeSet.h"
+#include "scShadowVectors.h"
+#include "scVisibilityProbe.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace shadowcones;
+
+namespace
+{
+constexpr double ExactTolerance = 0.01;
+constexpr double SoftTolerance = 0.02;
+
+Light MakeLight(LightShape shape, double radius, const Placement& place)
+{
+  Light light;
+  light.Shape = shape;
+  light.Center = place({});
+  light.Normal = { 0.0, 0.0, 1.0 };
+  light.AxisU = { 0.6 * place.Scale, 0.0, 0.0 };
+  light.AxisV = { 0.0, 0.3 * place.Scale, 0.0 };
+  light.Radius = radius * place.Scale;
+  light.Spectrum = { 1.0 };
+  EXPECT_EQ(PrepareLight(light), nullptr);
+  return light;
+}
+
+/// What a user does: vectors of the mesh, bounds for Exact and discs for Soft, both asked at the same points.
+class Scene
+{
+public:
+  Scene(TestMesh mesh, const Light& light, const Placement& place, vtkIdType vectors)
+    : Mesh(std::move(mesh))
+    , Source(light)
+    , Place(place)
+  {
+    this->Mesh.Place(place);
+    this->Occluders = std::make_unique<OccluderScene>(this->Mesh.View());
+    ShadowVectorOptions options;
+    options.TargetNumberOfVectors = vectors;
+    options.Storage = VectorStorage::HitPoint;
+    ShadowVectorResult traced;
+    EXPECT_TRUE(TraceShadowVectors(*this->Occluders, light, options, {}, traced));
+    const ShadowVectors& found = traced.Vectors;
+    const ShadowVectorView view{ static_cast<vtkIdType>(found.OccluderIds.size()), found.Points.data(),
+      found.Directions.data(), found.EmissionPoints.data(), found.OccluderIds.data() };
+    ConeSetOptions fit;
+    fit.CosineCorrection = false;
+    fit.Overlap = true;
+    fit.Expansion = ConeExpansion::LightGeometry;
+    fit.VarianceThreshold = 1.8;
+    ConeSet bounds;
+    EXPECT_TRUE(FitConeSet(view, {}, LightExtentOf(light), fit, {}, bounds));
+    this->Bounds = bounds.Cones;
+    fit.VarianceThreshold = 1.4;
+    fit.MinimumVectorsPerCone = 16;
+    ConeSet discs;
+    EXPECT_TRUE(FitConeSet(view, {}, LightExtentOf(light), fit, {}, discs));
+    this->Discs = discs.Cones;
+  }
+
+  void Compare(const std::vector<Vector3>& points, const std::function<double(const Vector3&)>& closedForm)
+  {
+    Box box;
+    for (const Vector3& point : points)
+    {
+      box.Add(this->Place(point));
+    }
+    VisibilityOptions options;
+    options.NumberOfLightSamples = 1024;
+    const VisibilityProbe exact(this->Bounds, this->Source, this->Occluders.get(), box, options);
+    options.Method = VisibilityMethod::Soft;
+    const VisibilityProbe soft(this->Discs, this->Source, nullptr, box, options);
+    int partial = 0;
+    double squares = 0.0;
+    for (const Vector3& point : points)
+    {
+      const double expected = closedForm(point);
+      partial += expected > 0.01 && expected < 0.99;
+      EXPECT_NEAR(exact.At(this->Place(point)).Fraction, expected, ExactTolerance)
+        << this->Place.Name << " " << point.X << " " << point.Y << " " << point.Z;
+      const double difference = soft.At(this->Place(point)).Fraction - expected;
+      squares += difference * difference;
+      EXPECT_NEAR(difference, 0.0, SoftTolerance)
+        << "soft " << this->Place.Name << " " << point.X << " " << point.Y << " " << point.Z << " expected " << expected;
+    }
+    printf("%s: %zu discs, %zu bounds, soft rms %.4f\n", this->Place.Name, this->Discs.size(), this->Bounds.size(), std::sqrt(squares / points.size()));
+    EXPECT_GT(partial, 8);
+  }
+
+private:
+  TestMesh Mesh;
+  Light Source;
+  Placement Place;
+  std::unique_ptr<OccluderScene> Occluders;
+  std::vector<Cone> Bounds;
+  std::vector<Cone> Discs;
+};
+
+std::vector<Vector3> Across(std::initializer_list<double> depths, const std::function<double(double)>& width)
+{
+  std::vector<Vector3> points;
+  for (const double z : depths)
+  {
+    for (int k = 0; k <= 10; ++k)
+    {
+      points.push_back({ 0.12 * k * width(z), 0.0, z });
+    }
+  }
+  return points;
+}
+} // namespace
+
+TEST(ProbeForms, DiscBehindDisc)
+{
+  const double R = 0.5;
+  const double L = 2.0;
+  const double r = 0.6;
+  for (const Placement& place : Placements())
+  {
+    TestMesh mesh;
+    mesh.AddDisc({ 0.0, 0.0, L }, r);
+    Scene scene(mesh, MakeLight(LightShape::Disc, R, place), place, 100000);
+    scene.Compare(Across({ 2.5, 4.0, 8.0 }, [&](double z) { return closedforms::DiscPenumbraRadius(R, r, L, z); }),
+      [&](const Vector3& x) { return closedforms::DiscVisibility(R, r, L, x.Z, x.X); });
+  }
+}
+
+TEST(ProbeForms, SphereBehindSphere)
+{
+  const double R = 1.0;
+  const double D = 6.0;
+  const double r = 1.0;
+  for (const Placement& place : Placements())
+  {
+    TestMesh mesh;
+    mesh.AddSphere({ 0.0, 0.0, D }, r);
+    Scene scene(mesh, MakeLight(LightShape::Sphere, R, place), place, 100000);
+    scene.Compare(Across({ 9.0, 14.0 }, [&](double z) { return 1.5 * r * z / D; }),
+      [&](const Vector3& x) { return closedforms::SphereVisibility(R, r, { 0.0, 0.0, D }, x); });
+  }
+}
+
+TEST(ProbeForms, RectangleBehindRectangle)
+{
+  const double L = 2.0;
+  for (const Placement& place : Placements())
+  {
+    TestMesh mesh;
+    mesh.AddParallelogram({ -0.5, -0.4, L }, { 1.0, 0.0, 0.0 }, { 0.0, 0.8, 0.0 });
+    Scene scene(mesh, MakeLight(LightShape::Rectangle, 1.0, place), place, 100000);
+    scene.Compare(Across({ 3.0, 6.0 }, [&](double z) { return 0.5 + 0.55 * (z - L); }),
+      [&](const Vector3& x) { return closedforms::RectangleVisibility(0.6, 0.3, 0.5, 0.4, L, x.X, x.Y, x.Z); });
+  }
+}
+
+TEST(ProbeForms, StraightEdge)
+{
+  // A half plane as far as the light's shadow at these depths reaches.
+  const double R = 0.5;
+  const double L = 2.0;
+  for (const Placement& place : Placements())
+  {
+    TestMesh mesh;
+    mesh.AddParallelogram({ -1.5, -1.0, L }, { 1.5, 0.0, 0.0 }, { 0.0, 2.0, 0.0 });
+    Scene scene(mesh, MakeLight(LightShape::Disc, R, place), place, 150000);
+    std::vector<Vector3> points;
+    for (const double z : { 2.5, 3.0, 4.0 })
+    {
+      for (int k = -6; k <= 6; ++k)
+      {
+        points.push_back({ 0.2 * k * R * (z - L) / L, 0.0, z });
+      }
+    }
+    scene.Compare(points, [&](const Vector3& x) { return closedforms::EdgeVisibility(R, L, x.Z, x.X); });
+  }
+}
+
+TEST(ProbeForms, SunAndEarth)
+{
+  // Kilometres, the Sun at the origin, and the same a galaxy's width off: the angles are a quarter of a degree.
+  const double R = 695700.0;
+  const double r = 6371.0;
+  const double D = 149597870.7;
+  const double umbra = closedforms::SphereUmbraLength(R, r, D);
+  for (const Vector3& offset : { Vector3{}, Vector3{ 1e9, -2e9, 3e9 } })
+  {
+    const Placement place{ "in space", 1.0, offset };
+    const Light light = MakeLight(LightShape::Sphere, R, place);
+    TestMesh mesh;
+    mesh.AddSphere({ 0.0, 0.0, D }, r);
+    mesh.Place(place);
+    const OccluderScene scene(mesh.View());
+    Cone earth;
+    earth.Center = place({ 0.0, 0.0, D });
+    earth.Axis = { 0.0, 0.0, 1.0 };
+    earth.Normal = earth.Axis;
+    earth.BaseRadius = r;
+    earth.OccluderId = 3;
+    PenumbraAngles(LightExtentOf(light), earth.Center, earth.Axis, r, earth.HalfAngle, earth.InnerHalfAngle);
+    EXPECT_NEAR(earth.HalfAngle, closedforms::SpherePenumbraHalfAngle(R, r, D), 1e-3 * earth.HalfAngle);
+    EXPECT_NEAR(-earth.InnerHalfAngle, closedforms::SphereUmbraHalfAngle(R, r, D), 1e-3 * earth.HalfAngle);
+
+    std::vector<Vector3> points;
+    for (const double along : { 0.98, 1.2, 2.0, 5.0 })
+    {
+      points.push_back({ 0.0, 0.0, D + along * umbra });
+    }
+    for (int k = 0; k <= 10; ++k)
+    {
+      // Where the Moon goes.
+      points.push_back({ 900.0 * k, 0.0, D + 384400.0 });
+    }
+    Box box;
+    for (const Vector3& point : points)
+    {
+      box.Add(place(point));
+    }
+    VisibilityOptions options;
+    options.NumberOfLightSamples = 65536;
+    const VisibilityProbe exact({ earth }, light, &scene, box, options);
+    options.Method = VisibilityMethod::Soft;
+    const VisibilityProbe soft({ earth }, light, nullptr, box, options);
+    int partial = 0;
+    for (const Vector3& point : points)
+    {
+      const double expected = closedforms::SphereVisibility(R, r, { 0.0, 0.0, D }, point);
+      partial += expected > 0.01 && expected < 0.99;
+      EXPECT_NEAR(exact.At(place(point)).Fraction, expected, 1e-3) << point.X << " km off the axis, " << point.Z - D << " km behind";
+      EXPECT_NEAR(soft.At(place(point)).Fraction, expected, 1e-3) << point.X << " km off the axis, " << point.Z - D << " km behind";
+    }
+    EXPECT_GT(partial, 5);
+    // A metre inside the tip of the umbra and the Sun is gone; a hundredth of the way farther its rim shows.
+    EXPECT_EQ(soft.At(place({ 0.0, 0.0, D + 0.98 * umbra })).Class, ShadowClass::Umbra);
+    EXPECT_EQ(exact.At(place({ 0.0, 0.0, D + 0.98 * umbra })).Class, ShadowClass::Umbra);
+    EXPECT_EQ(exact.At(place({ 0.0, 0.0, D + 1.2 * umbra })).Class, ShadowClass::Penumbra);
+  }
+}
