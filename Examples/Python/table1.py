@@ -44,7 +44,7 @@ def main():
     options.add_argument("--size", type=int, default=256, help="width and height of the images, pixels (default: 256)")
     options.add_argument("--vectors", type=int, default=5800, help="number of shadow vectors (default: 5800)")
     options.add_argument("--pixels", type=int, default=2048, help="pixels held against the reference (default: 2048)")
-    options.add_argument("--samples", type=int, default=16384, help="samples of the reference a pixel (default: 16384)")
+    options.add_argument("--samples", type=int, default=65536, help="samples of the reference a pixel (default: 65536)")
     options.add_argument("--light-samples", type=int, default=16, help="light points a march sample (default: 16)")
     options.add_argument("--threads", type=int, default=1, help="threads for the images (default: 1)")
     options.add_argument("--repeats", type=int, default=3, help="the best time of so many runs (default: 3)")

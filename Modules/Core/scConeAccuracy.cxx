@@ -25,7 +25,8 @@ Estimate WilsonInterval(double share, double samples)
 {
   const double z2 = z95 * z95 / samples;
   const double center = (share + 0.5 * z2) / (1.0 + z2);
-  const double half = std::sqrt(std::max(0.0, share * (1.0 - share) / samples + 0.25 * z2 / samples)) * z95 / (1.0 + z2);
+  const double half =
+    std::sqrt(std::max(0.0, share * (1.0 - share) / samples + 0.25 * z2 / samples)) * z95 / (1.0 + z2);
   // Rounding must not put the value outside.
   return { share, std::clamp(center - half, 0.0, share), std::clamp(center + half, share, 1.0) };
 }
@@ -98,13 +99,15 @@ bool DrawSamplePoints(
 {
   points.assign(bounds.Empty() ? 0 : static_cast<std::size_t>(count), {});
   const Vector3 size = bounds.Size();
-  return ParallelFor(static_cast<vtkIdType>(points.size()), monitor, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType k = begin; k < end; ++k)
+  return ParallelFor(static_cast<vtkIdType>(points.size()), monitor,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const std::array<double, 4> u = SobolPoint(seed, static_cast<std::uint32_t>(k));
-      points[k] = bounds.Min + Vector3{ u[0] * size.X, u[1] * size.Y, u[2] * size.Z };
-    }
-  });
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const std::array<double, 4> u = SobolPoint(seed, static_cast<std::uint32_t>(k));
+        points[k] = bounds.Min + Vector3{ u[0] * size.X, u[1] * size.Y, u[2] * size.Z };
+      }
+    });
 }
 
 bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene, const Light& light, int lightSamples,
@@ -117,33 +120,34 @@ bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene
   }
   const auto wrap = [](double x) { return x < 1.0 ? x : x - 1.0; };
   truth.assign(points.size(), {});
-  return ParallelFor(static_cast<vtkIdType>(points.size()), monitor, [&](vtkIdType begin, vtkIdType end) {
-    BlockerCounts blockers;
-    RayHit hit;
-    for (vtkIdType k = begin; k < end; ++k)
+  return ParallelFor(static_cast<vtkIdType>(points.size()), monitor,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      RandomStream random(HashSeed(seed, rotationStream), static_cast<std::uint64_t>(k));
-      const double shiftU = random.Next();
-      const double shiftV = random.Next();
-      blockers.Clear();
-      for (const auto& p : pattern)
+      BlockerCounts blockers;
+      RayHit hit;
+      for (vtkIdType k = begin; k < end; ++k)
       {
-        const IncidentSample sample =
-          SampleVisibleLight(light, points[k], wrap(p[0] + shiftU), wrap(p[1] + shiftV));
-        if (!(sample.Weight > 0.0))
+        RandomStream random(HashSeed(seed, rotationStream), static_cast<std::uint64_t>(k));
+        const double shiftU = random.Next();
+        const double shiftV = random.Next();
+        blockers.Clear();
+        for (const auto& p : pattern)
         {
-          continue;
+          const IncidentSample sample = SampleVisibleLight(light, points[k], wrap(p[0] + shiftU), wrap(p[1] + shiftV));
+          if (!(sample.Weight > 0.0))
+          {
+            continue;
+          }
+          ++truth[k].Emitting;
+          if (scene.Intersect(points[k], sample.Direction, scene.Epsilon(), sample.Distance, hit))
+          {
+            ++truth[k].Blocked;
+            blockers.Add(scene.Mesh().OccluderId(hit.Triangle), hit.T);
+          }
         }
-        ++truth[k].Emitting;
-        if (scene.Intersect(points[k], sample.Direction, scene.Epsilon(), sample.Distance, hit))
-        {
-          ++truth[k].Blocked;
-          blockers.Add(scene.Mesh().OccluderId(hit.Triangle), hit.T);
-        }
+        blockers.Write(truth[k]);
       }
-      blockers.Write(truth[k]);
-    }
-  });
+    });
 }
 
 Estimate EstimateProportion(std::int64_t part, std::int64_t whole)
@@ -235,45 +239,49 @@ bool ClassifyByCones(const std::vector<Vector3>& points, const std::vector<Sampl
   const ConeTree tree = ConeTree::OverSlices(cones, bounds, HUGE_VAL);
   std::vector<AtomicConeTally> counts(cones.size());
   constexpr auto relaxed = std::memory_order_relaxed;
-  const bool done = ParallelFor(static_cast<vtkIdType>(points.size()), monitor, [&](vtkIdType begin, vtkIdType end) {
-    std::vector<int> holders;
-    for (vtkIdType k = begin; k < end; ++k)
+  const bool done = ParallelFor(static_cast<vtkIdType>(points.size()), monitor,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      holders.clear();
-      tree.ForEachAtPoint(points[k], [&](const ConeTree::Entry& entry) {
-        if (ConeContains(cones[entry.Cone], points[k], entry.High))
-        {
-          holders.push_back(entry.Cone);
-        }
-      });
-      if (holders.empty())
+      std::vector<int> holders;
+      for (vtkIdType k = begin; k < end; ++k)
       {
-        continue;
-      }
-      // A cone may be met once for each of its slices.
-      std::sort(holders.begin(), holders.end());
-      holders.erase(std::unique(holders.begin(), holders.end()), holders.end());
-      SamplePrediction& prediction = predictions[k];
-      prediction.Class = 1;
-      prediction.ConeId = holders.front();
-      prediction.Height = Dot(points[k] - cones[holders.front()].Center, cones[holders.front()].Axis);
-      for (const int cone : holders)
-      {
-        Cone inner = cones[cone];
-        inner.HalfAngle = inner.InnerHalfAngle;
-        if (prediction.Class < 2 && ConeContains(inner, points[k]))
+        holders.clear();
+        tree.ForEachAtPoint(points[k],
+          [&](const ConeTree::Entry& entry)
+          {
+            if (ConeContains(cones[entry.Cone], points[k], entry.High))
+            {
+              holders.push_back(entry.Cone);
+            }
+          });
+        if (holders.empty())
         {
-          prediction.Class = 2;
+          continue;
         }
-        if (truth[k].Emitting > 0)
+        // A cone may be met once for each of its slices.
+        std::sort(holders.begin(), holders.end());
+        holders.erase(std::unique(holders.begin(), holders.end()), holders.end());
+        SamplePrediction& prediction = predictions[k];
+        prediction.Class = 1;
+        prediction.ConeId = holders.front();
+        prediction.Height = Dot(points[k] - cones[holders.front()].Center, cones[holders.front()].Axis);
+        for (const int cone : holders)
         {
-          counts[cone].Samples.fetch_add(1, relaxed);
-          counts[cone].Shadowed.fetch_add(truth[k].Shadowed(), relaxed);
-          counts[cone].Lit.fetch_add(truth[k].Lit(), relaxed);
+          Cone inner = cones[cone];
+          inner.HalfAngle = inner.InnerHalfAngle;
+          if (prediction.Class < 2 && ConeContains(inner, points[k]))
+          {
+            prediction.Class = 2;
+          }
+          if (truth[k].Emitting > 0)
+          {
+            counts[cone].Samples.fetch_add(1, relaxed);
+            counts[cone].Shadowed.fetch_add(truth[k].Shadowed(), relaxed);
+            counts[cone].Lit.fetch_add(truth[k].Lit(), relaxed);
+          }
         }
       }
-    }
-  });
+    });
   for (std::size_t i = 0; i < cones.size(); ++i)
   {
     tallies[i] = { counts[i].Samples.load(), counts[i].Shadowed.load(), counts[i].Lit.load() };

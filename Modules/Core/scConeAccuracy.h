@@ -47,8 +47,8 @@ struct SampleTruth
  * Look from each point to @p lightSamples points of the light, stratified and turned from point to point: a pure function of
  * the seed and the point's index. Every triangle blocks: leave receivers out of the scene. @return false where aborted.
  */
-SHADOWCONESCORE_EXPORT bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene, const Light& light,
-  int lightSamples, std::uint64_t seed, const Monitor& monitor, std::vector<SampleTruth>& truth);
+SHADOWCONESCORE_EXPORT bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene,
+  const Light& light, int lightSamples, std::uint64_t seed, const Monitor& monitor, std::vector<SampleTruth>& truth);
 
 /// What is predicted for a sample point.
 struct SamplePrediction
@@ -106,7 +106,7 @@ struct AccuracyTally
   std::int64_t TruePositives = 0;
   std::int64_t FalsePositives = 0;
   std::int64_t FalseNegatives = 0;
-  std::int64_t Umbra = 0;          ///< samples in full shadow
+  std::int64_t Umbra = 0; ///< samples in full shadow
   std::int64_t PredictedUmbra = 0;
   std::int64_t BothUmbra = 0;
   RatioSums BlockedOutside; ///< y: blocked light outside, x: blocked light
@@ -121,9 +121,15 @@ struct AccuracyTally
     return this->TrueNegatives + this->TruePositives + this->FalsePositives + this->FalseNegatives;
   }
   /// TP / (TP + FN): the share of the shadowed samples that are predicted.
-  Estimate Recall() const { return EstimateProportion(this->TruePositives, this->TruePositives + this->FalseNegatives); }
+  Estimate Recall() const
+  {
+    return EstimateProportion(this->TruePositives, this->TruePositives + this->FalseNegatives);
+  }
   /// TP / (TP + FP): the share of the predicted samples that are shadowed.
-  Estimate Precision() const { return EstimateProportion(this->TruePositives, this->TruePositives + this->FalsePositives); }
+  Estimate Precision() const
+  {
+    return EstimateProportion(this->TruePositives, this->TruePositives + this->FalsePositives);
+  }
   /// TP / (TP + FP + FN): intersection over union of the predicted and the true shadow.
   Estimate IoU() const
   {

@@ -54,6 +54,7 @@ UmbraField::UmbraField(const std::vector<Cone>& cones, const Light& light, doubl
     if (cone.BaseRadius > 0.0 && !penumbra.Region().Empty())
     {
       this->Discs.push_back({ cone.Center, cone.Axis, cone.BaseRadius, length });
+      this->Extent.Add(penumbra.Region());
       this->Penumbrae.push_back(std::move(penumbra));
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scUmbraField.h
- * @brief The implicit function of what base discs together put in full shadow. Internal to Core and Filters.
+ * @brief The implicit function of what base discs together put in full shadow.
  */
 #ifndef scUmbraField_h
 #define scUmbraField_h
@@ -14,14 +14,17 @@ namespace shadowcones
 
 /**
  * At a point, for each of some points of the light, the distance from the nearest rim of the discs to the place where the segment
- * between the two crosses their plane, negative inside; of these the largest. Negative where every disc of the light's points is
- * hidden by one disc or another, 0 where the last one comes into view.
+ * between the two crosses their plane, negative inside; of these the largest. Negative where each of these points is hidden by one
+ * disc or another, 0 where the first of them comes into view.
  */
 class SHADOWCONESCORE_EXPORT UmbraField
 {
 public:
   /// Cones are cut at @p length from their base and to @p bounds (an empty box: not at all).
   UmbraField(const std::vector<Cone>& cones, const Light& light, double length, const Box& bounds = {});
+
+  /// The box around what any disc can shade, within the bounds.
+  const Box& Region() const { return this->Extent; }
 
   /// The field at a point, by a look at every disc and every point of the light.
   double Value(const Vector3& point) const;
@@ -54,6 +57,7 @@ private:
   std::vector<Disc> Discs;
   std::vector<Source> Sources;
   std::vector<ConeField> Penumbrae; ///< of each disc: what it can shade
+  Box Extent;
 };
 
 } // namespace shadowcones

@@ -113,7 +113,8 @@ Box JointBounds(vtkPolyData* mesh, vtkPolyData* lightData, const Light& light)
 }
 
 /// The vertices [begin, end) of some points, with the arrays that the input has for them.
-void WriteVertices(const std::vector<Vector3>& points, vtkDataSet* input, vtkIdType begin, vtkIdType end, vtkPolyData* output)
+void WriteVertices(
+  const std::vector<Vector3>& points, vtkDataSet* input, vtkIdType begin, vtkIdType end, vtkPolyData* output)
 {
   std::vector<double> coordinates;
   coordinates.reserve(static_cast<std::size_t>(3 * (end - begin)));
@@ -170,10 +171,7 @@ void WriteSamples(const std::vector<SampleTruth>& truth, const std::vector<Sampl
 class SummaryTable
 {
 public:
-  SummaryTable()
-  {
-    this->Names->SetName("Quantity");
-  }
+  SummaryTable() { this->Names->SetName("Quantity"); }
   void Add(const std::string& name, const Estimate& estimate)
   {
     this->Names->InsertNextValue(name);
@@ -229,7 +227,8 @@ void WriteQuantities(const std::vector<Tally>& rows, const AccuracyTally& all, v
     counts.push_back(row.Samples());
   }
   AddIdArray(output->GetRowData(), "SampleCount", counts);
-  const auto add = [&](const std::string& name, auto&& estimate) {
+  const auto add = [&](const std::string& name, auto&& estimate)
+  {
     std::vector<double> values, lows, highs;
     for (const Tally& row : rows)
     {
@@ -347,15 +346,13 @@ int vtkConeSetAccuracy::FillOutputPortInformation(int port, vtkInformation* info
   return 1;
 }
 
-int vtkConeSetAccuracy::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkConeSetAccuracy::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   HandlePieces(outputVector);
   return 1;
 }
 
-int vtkConeSetAccuracy::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkConeSetAccuracy::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   RequestWholeInputs(this, inputVector);
   return 1;
@@ -384,7 +381,8 @@ bool vtkConeSetAccuracy::CheckParameters()
   {
     if (!std::isfinite(b[2 * axis]) || !std::isfinite(b[2 * axis + 1]) || b[2 * axis] > b[2 * axis + 1])
     {
-      vtkErrorMacro("Bounds along " << "xyz"[axis] << " run from " << b[2 * axis] << " to " << b[2 * axis + 1]
+      vtkErrorMacro("Bounds along "
+        << "xyz"[axis] << " run from " << b[2 * axis] << " to " << b[2 * axis + 1]
         << ": they must be finite and in ascending order.");
       return false;
     }
@@ -401,9 +399,11 @@ int vtkConeSetAccuracy::RequestData(
   vtkPolyData* lightInput = vtkPolyData::GetData(inputVector[lightPort]);
   if (!coneInput || !meshInput || !lightInput)
   {
-    vtkErrorMacro(<< (!coneInput ? "No cone set on input port 1: connect a vtkConeSetFilter with SetConeSetConnection."
-        : !meshInput ? "No mesh on input port 2: connect a vtkLabelOccluders with SetMeshConnection."
-                     : "No light on input port 3: connect a vtkAreaLightSource or a polygon mesh with SetLightConnection."));
+    vtkErrorMacro(
+      << (!coneInput ? "No cone set on input port 1: connect a vtkConeSetFilter with SetConeSetConnection."
+             : !meshInput
+             ? "No mesh on input port 2: connect a vtkLabelOccluders with SetMeshConnection."
+             : "No light on input port 3: connect a vtkAreaLightSource or a polygon mesh with SetLightConnection."));
     return 0;
   }
 
@@ -438,8 +438,7 @@ int vtkConeSetAccuracy::RequestData(
     const OccluderScene scene(mesh.View());
     if ((!sampleInput &&
           !DrawSamplePoints(bounds, this->NumberOfSamples, seed, MonitorOf(this).Part(0.0, 0.02), points)) ||
-      !MeasureTruth(
-        points, scene, light, this->NumberOfLightSamples, seed, MonitorOf(this).Part(0.02, 0.9), truth) ||
+      !MeasureTruth(points, scene, light, this->NumberOfLightSamples, seed, MonitorOf(this).Part(0.02, 0.9), truth) ||
       !ClassifyByCones(points, truth, cones, MonitorOf(this).Part(0.9, 1.0), predictions, tallies))
     {
       return 1; // aborted: the outputs stay empty

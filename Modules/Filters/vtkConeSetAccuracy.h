@@ -3,53 +3,55 @@
  * @class vtkConeSetAccuracy
  * @brief The cone accuracy overlay: how far to trust a cone set, held against the mesh at sample points.
  *
- * From each sample point rays look at NumberOfLightSamples points of the light, stratified and turned from sample to sample:
- * that is the truth. The cones predict: a sample inside any cone is in shadow, one inside the inner cone of a cone that
- * holds it is in umbra. Both are counted and compared, with 95 % confidence intervals. Samples are given, or drawn evenly in
- * a box (an Owen-scrambled Sobol sequence). Results are the same bytes for any number of threads; the pieces of a piece
- * request are ranges of samples (output 0), of cones (output 4), and piece 0 holds the tables.
+ * From each sample point rays look at NumberOfLightSamples points of the light, stratified and turned from sample to
+ * sample: that is the truth. The cones predict: a sample inside any cone is in shadow, one inside the inner cone of a
+ * cone that holds it is in umbra. Both are counted and compared, with 95 % confidence intervals. Samples are given, or
+ * drawn evenly in a box (an Owen-scrambled Sobol sequence). Results are the same bytes for any number of threads; the
+ * pieces of a piece request are ranges of samples (output 0), of cones (output 4), and piece 0 holds the tables.
  *
- * Input port 0, optional: vtkDataSet whose points are the samples. A point array "ShadowClass" (0 lit, 1 penumbra, 2 umbra,
- * from any other classifier) is held against the same truth. Input port 1: vtkPolyData, a cone set. Input port 2:
- * vtkPolyData, the mesh; cell data "OccluderId" (int) is optional, cells whose id is negative are receivers, which block
- * nothing here. Input port 3: the light, from vtkAreaLightSource or any polygon mesh.
+ * Input port 0, optional: vtkDataSet whose points are the samples. A point array "ShadowClass" (0 lit, 1 penumbra, 2
+ * umbra, from any other classifier) is held against the same truth. Input port 1: vtkPolyData, a cone set. Input port
+ * 2: vtkPolyData, the mesh; cell data "OccluderId" (int) is optional, cells whose id is negative are receivers, which
+ * block nothing here. Input port 3: the light, from vtkAreaLightSource or any polygon mesh.
  *
- * Output port 0, samples, one vertex each, with the point data of input port 0. Point data: "Truth" (float 0..1, visible
- * fraction of the light; 1 where the light does not shine to), "Prediction" (unsigned char: 0 lit, 1 penumbra, 2 umbra),
- * "Confusion" (unsigned char: 0 true negative, 1 true positive, 2 false positive, 3 false negative; positive is shadowed:
- * Truth < 1), "ConeId" (id, the first cone that holds it, -1 where none), "OccluderId" (int, the one that most of the
- * blocked light passed last; where none is blocked that of the cone; -1 for true negatives), "Depth" (float, world units:
- * the height above the base of that cone; for false negatives the mean distance to the occluder; -1 for true negatives).
+ * Output port 0, samples, one vertex each, with the point data of input port 0. Point data: "Truth" (float 0..1,
+ * visible fraction of the light; 1 where the light does not shine to), "Prediction" (unsigned char: 0 lit, 1 penumbra,
+ * 2 umbra), "Confusion" (unsigned char: 0 true negative, 1 true positive, 2 false positive, 3 false negative; positive
+ * is shadowed: Truth < 1), "ConeId" (id, the first cone that holds it, -1 where none), "OccluderId" (int, the one that
+ * most of the blocked light passed last; where none is blocked that of the cone; -1 for true negatives), "Depth"
+ * (float, world units: the height above the base of that cone; for false negatives the mean distance to the occluder;
+ * -1 for true negatives).
  *
  * Output port 1, vtkTable, the summary, one row a quantity: "Quantity" (string), "Value", "Low", "High" (double; the
- * confidence interval). Samples that the light does not shine to are left out. TP, FP, FN: numbers of samples of a Confusion
- * class. A quantity 0 / 0 is NaN.
+ * confidence interval). Samples that the light does not shine to are left out. TP, FP, FN: numbers of samples of a
+ * Confusion class. A quantity 0 / 0 is NaN.
  *   - Recall = TP / (TP + FN), Precision = TP / (TP + FP), IoU = TP / (TP + FP + FN): by volume;
  *   - Leak = blocked light at samples outside the cones / all blocked light;
  *   - Lost = light that is not blocked at samples inside / all light that is not blocked;
  *   - LightPrecision = blocked light / all light, both at samples inside;
  *   - VolumeError = (TP + FP) / (TP + FN) - 1: the volume of the union of the cones over that of the shadow, - 1;
- *   - UmbraPrecision, UmbraRecall: samples in umbra (Truth = 0) and predicted to be, over those predicted, over those in
- *     umbra;
- *   - ShadowClassRecall, ...Precision, ...IoU, ...UmbraPrecision, ...UmbraRecall: the same for "ShadowClass" of input port
- *     0, where given.
+ *   - UmbraPrecision, UmbraRecall: samples in umbra (Truth = 0) and predicted to be, over those predicted, over those
+ *     in umbra;
+ *   - ShadowClassRecall, ...Precision, ...IoU, ...UmbraPrecision, ...UmbraRecall: the same for "ShadowClass" of input
+ *     port 0, where given.
  *
- * Intervals: of Wilson for counts. For light Wilson's too, for as many samples as give a proportion the standard error of
- * the ratio estimate. For VolumeError 1.96 standard errors of the ratio estimate. They say what a random sample leaves open;
- * stratified samples leave less, given samples that follow a pattern may leave anything.
+ * Intervals: of Wilson for counts. For light Wilson's too, for as many samples as give a proportion the standard error
+ * of the ratio estimate. For VolumeError 1.96 standard errors of the ratio estimate. They say what a random sample
+ * leaves open; stratified samples leave less, given samples that follow a pattern may leave anything.
  *
- * Output port 2, vtkTable, one row an occluder that has samples: "OccluderId" (int), "SampleCount" (id), and each of Recall,
- * Precision, IoU, Leak, Lost as three columns, as in "Recall", "RecallLow", "RecallHigh" (double). Lost is over all light
- * that is not blocked, of all samples: the rows add up to the summary.
+ * Output port 2, vtkTable, one row an occluder that has samples: "OccluderId" (int), "SampleCount" (id), and each of
+ * Recall, Precision, IoU, Leak, Lost as three columns, as in "Recall", "RecallLow", "RecallHigh" (double). Lost is over
+ * all light that is not blocked, of all samples: the rows add up to the summary.
  *
- * Output port 3, vtkTable, the same along Depth, one row a bin: "DepthMin", "DepthMax" (double) in place of "OccluderId".
+ * Output port 3, vtkTable, the same along Depth, one row a bin: "DepthMin", "DepthMax" (double) in place of
+ * "OccluderId".
  *
- * Output port 4, the cone set with all its arrays and point data "SampleCount" (id, samples inside the cone), "Precision",
- * "PrecisionLow", "PrecisionHigh" (float, the share of them that is shadowed; NaN without samples), "Lost" (float, as above
- * for this cone alone). vtkConeSetGeometry passes them on, for colours.
+ * Output port 4, the cone set with all its arrays and point data "SampleCount" (id, samples inside the cone),
+ * "Precision", "PrecisionLow", "PrecisionHigh" (float, the share of them that is shadowed; NaN without samples), "Lost"
+ * (float, as above for this cone alone). vtkConeSetGeometry passes them on, for colours.
  *
- * @warning Truth comes from a finite number of light points: a sample of which less than 1 / NumberOfLightSamples is hidden
- * may count as lit.
+ * @warning Truth comes from a finite number of light points: a sample of which less than 1 / NumberOfLightSamples is
+ * hidden may count as lit.
  * @sa vtkConeSetFilter vtkConeSetGeometry
  */
 #ifndef vtkConeSetAccuracy_h

@@ -2,7 +2,7 @@
 #include "vtkConeSetFilter.h"
 
 #include "scAdapters.h"
-#include "scConeSet.h"
+#include "scConeTuning.h"
 #include "scLightData.h"
 #include "scPieces.h"
 
@@ -41,6 +41,31 @@ std::vector<Cone> SliceOf(const std::vector<Cone>& cones, const PieceRequest& pi
 {
   const auto count = static_cast<vtkIdType>(cones.size());
   return { cones.begin() + piece.Begin(count), cones.begin() + piece.End(count) };
+}
+
+/// Every parameter that the cones were fitted with, by its name.
+void AddParameters(const ConeSetOptions& options, vtkFieldData* data)
+{
+  AddIntArray(data, "NumberOfNeighbors", 1, { options.NumberOfNeighbors });
+  AddIntArray(data, "NumberOfSectors", 1, { options.NumberOfSectors });
+  AddIntArray(data, "PointsPerRing", 1, { options.PointsPerRing });
+  AddIntArray(data, "MinimumVectorsPerCone", 1, { options.MinimumVectorsPerCone });
+  AddDoubleArray(data, "VarianceThreshold", 1, { options.VarianceThreshold });
+  AddDoubleArray(data, "PlanarityThreshold", 1, { options.PlanarityThreshold });
+  AddIntArray(data, "CosineCorrection", 1, { options.CosineCorrection ? 1 : 0 });
+  AddIntArray(data, "Expansion", 1, { static_cast<int>(options.Expansion) });
+  AddDoubleArray(data, "ExpansionFraction", 1, { options.ExpansionFraction });
+  AddDoubleArray(data, "RadiusScale", 1, { options.RadiusScale });
+  AddIntArray(data, "Overlap", 1, { options.Overlap ? 1 : 0 });
+}
+
+/// What tuning found on the photons held out.
+void AddTuning(const ConeTuningResult& tuning, vtkFieldData* data)
+{
+  AddDoubleArray(data, "TuningObjective", 1, { tuning.Objective });
+  AddDoubleArray(data, "TuningLeak", 1, { tuning.Leak });
+  AddDoubleArray(data, "TuningLost", 1, { tuning.Lost });
+  AddIntArray(data, "TuningFits", 1, { tuning.NumberOfFits });
 }
 
 /// The vectors [begin, end) of the input with all their arrays, and the cone of each.
@@ -119,7 +144,19 @@ int vtkConeSetFilter::RequestData(
   options.CosineCorrection = this->CosineCorrection;
   options.Expansion = static_cast<ConeExpansion>(this->Expansion);
   options.ExpansionFraction = this->ExpansionFraction;
+  options.RadiusScale = this->RadiusScale;
   options.Overlap = this->Overlap;
+  if (this->Tuning < MANUAL || this->Tuning > SOFT)
+  {
+    vtkErrorMacro("Tuning is " << this->Tuning << "; it must be 0 (Manual), 1 (Conservative), 2 (Preview) or 3 (Soft).");
+    return 0;
+  }
+  if (this->Tuning != MANUAL && !pathInput)
+  {
+    vtkErrorMacro("Tuning learns from photon paths and input port 1 has none: connect output port 1 of "
+                  "vtkShadowVectorFilter with SetPhotonPathConnection, or use SetTuningToManual.");
+    return 0;
+  }
   if (const char* fault = CheckConeSetOptions(options))
   {
     vtkErrorMacro(<< fault << ".");
@@ -141,9 +178,20 @@ int vtkConeSetFilter::RequestData(
   }
 
   ConeSet result;
+  ConeTuningResult tuning;
+  const bool tuned = this->Tuning != MANUAL && vectorInput->GetNumberOfPoints() > 0;
+  const Monitor monitor = MonitorOf(this);
+  const double tuningShare = tuned ? 0.9 : 0.0;
   try
   {
-    if (!FitConeSet(vectors.View(), paths.View(), extent, options, MonitorOf(this), result))
+    if (tuned &&
+      !TuneConeSet(vectors.View(), paths.View(), extent, static_cast<ConeTuning>(this->Tuning), options,
+        monitor.Part(0.0, tuningShare), tuning))
+    {
+      return 1; // aborted: the outputs stay empty
+    }
+    options = tuned ? tuning.Options : options;
+    if (!FitConeSet(vectors.View(), paths.View(), extent, options, monitor.Part(tuningShare, 1.0), result))
     {
       return 1; // aborted: the outputs stay empty
     }
@@ -159,7 +207,12 @@ int vtkConeSetFilter::RequestData(
   WriteLabelledVectors(vectorInput, result.ConeIds, piece, vectorOutput);
   coneOutput->GetFieldData()->PassData(vectorInput->GetFieldData());
   vectorOutput->GetFieldData()->PassData(vectorInput->GetFieldData());
-  this->AddParameters(coneOutput->GetFieldData());
+  AddIntArray(coneOutput->GetFieldData(), "Tuning", 1, { this->Tuning });
+  AddParameters(options, coneOutput->GetFieldData());
+  if (tuned)
+  {
+    AddTuning(tuning, coneOutput->GetFieldData());
+  }
   const auto numberOfVectors = static_cast<vtkIdType>(result.ConeIds.size());
   AddIdArray(coneOutput->GetFieldData(), "NumberOfVectors", { numberOfVectors });
   AddIdArray(coneOutput->GetFieldData(), "NumberOfCones", { static_cast<vtkIdType>(result.Cones.size()) });
@@ -169,26 +222,12 @@ int vtkConeSetFilter::RequestData(
   return 1;
 }
 
-void vtkConeSetFilter::AddParameters(vtkFieldData* data) const
-{
-  AddIntArray(data, "Tuning", 1, { this->Tuning });
-  AddIntArray(data, "NumberOfNeighbors", 1, { this->NumberOfNeighbors });
-  AddIntArray(data, "NumberOfSectors", 1, { this->NumberOfSectors });
-  AddIntArray(data, "PointsPerRing", 1, { this->PointsPerRing });
-  AddIntArray(data, "MinimumVectorsPerCone", 1, { this->MinimumVectorsPerCone });
-  AddDoubleArray(data, "VarianceThreshold", 1, { this->VarianceThreshold });
-  AddDoubleArray(data, "PlanarityThreshold", 1, { this->PlanarityThreshold });
-  AddIntArray(data, "CosineCorrection", 1, { this->CosineCorrection ? 1 : 0 });
-  AddIntArray(data, "Expansion", 1, { this->Expansion });
-  AddDoubleArray(data, "ExpansionFraction", 1, { this->ExpansionFraction });
-  AddIntArray(data, "Overlap", 1, { this->Overlap ? 1 : 0 });
-}
-
 void vtkConeSetFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   static const char* const expansions[] = { "MaximumDeviation", "RadiusRatio", "LightGeometry" };
-  os << indent << "Tuning: Manual\n";
+  static const char* const tunings[] = { "Manual", "Conservative", "Preview", "Soft" };
+  os << indent << "Tuning: " << (this->Tuning >= 0 && this->Tuning <= 3 ? tunings[this->Tuning] : "invalid") << "\n";
   os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n";
   os << indent << "NumberOfSectors: " << this->NumberOfSectors << "\n";
   os << indent << "PointsPerRing: " << this->PointsPerRing << "\n";
@@ -199,5 +238,6 @@ void vtkConeSetFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Expansion: "
      << (this->Expansion >= 0 && this->Expansion <= 2 ? expansions[this->Expansion] : "invalid") << "\n";
   os << indent << "ExpansionFraction: " << this->ExpansionFraction << "\n";
+  os << indent << "RadiusScale: " << this->RadiusScale << "\n";
   os << indent << "Overlap: " << (this->Overlap ? "on" : "off") << "\n";
 }

@@ -23,7 +23,8 @@
  * of its vectors from the plane over BaseRadius), "Overspill" (float 0..1, share of lit photon paths among those through the
  * base disc; -1 without photon paths). Field data: every parameter by its name, "Seed" (of the vectors), "NumberOfVectors",
  * "NumberOfCones", "NumberOfDiscarded" (id), "DiscardedFraction" (double), and the light's exact shape where the vectors
- * carry it.
+ * carry it. Tuned sets hold the parameters that were chosen, and "TuningObjective", "TuningLeak", "TuningLost" (double, on the
+ * held-out photons; less is better) and "TuningFits" (int).
  *
  * Output port 1: the shadow vectors with all their arrays and point data "ConeId" (id, first cone that holds the vector in its
  * base; -1 where discarded).
@@ -37,8 +38,6 @@
 
 #include "ShadowConesFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
-
-class vtkFieldData;
 
 class SHADOWCONESFILTERS_EXPORT vtkConeSetFilter : public vtkPolyDataAlgorithm
 {
@@ -55,13 +54,23 @@ public:
 
   enum TuningType
   {
-    MANUAL = 0
+    MANUAL = 0,
+    CONSERVATIVE = 1,
+    PREVIEW = 2,
+    SOFT = 3
   };
   ///@{
-  /// How the parameters below are chosen. Manual: as they are set. Default Manual.
-  vtkSetClampMacro(Tuning, int, MANUAL, MANUAL);
+  /// How the parameters below are chosen. Manual: as they are set. The others need photon paths and choose everything but
+  /// NumberOfSectors and PlanarityThreshold, by fitting three quarters of the photons and measuring on the rest (section 6.1).
+  /// Conservative: bounds, the least leak with few cones. Preview: the shadow itself, ExpansionFraction so that lit light lost
+  /// inside the cones equals blocked light leaking outside. Soft: base discs as surfels for vtkConeSetProbe, RadiusScale so that
+  /// lit paths caught equal blocked paths missed, then the best intersection over union. Default Manual.
+  vtkSetMacro(Tuning, int);
   vtkGetMacro(Tuning, int);
   void SetTuningToManual() { this->SetTuning(MANUAL); }
+  void SetTuningToConservative() { this->SetTuning(CONSERVATIVE); }
+  void SetTuningToPreview() { this->SetTuning(PREVIEW); }
+  void SetTuningToSoft() { this->SetTuning(SOFT); }
   ///@}
 
   ///@{
@@ -133,6 +142,12 @@ public:
   ///@}
 
   ///@{
+  /// Factor on the base radius, above 0. Default 1.
+  vtkSetMacro(RadiusScale, double);
+  vtkGetMacro(RadiusScale, double);
+  ///@}
+
+  ///@{
   /// On: neighbours come from all vectors and covered ones only stop being seeds, so that cones overlap: better bounds. Off:
   /// covered vectors leave the set, as in the paper. Default off.
   vtkSetMacro(Overlap, bool);
@@ -150,8 +165,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  void AddParameters(vtkFieldData* data) const;
-
   vtkConeSetFilter(const vtkConeSetFilter&) = delete;
   void operator=(const vtkConeSetFilter&) = delete;
 
@@ -165,6 +178,7 @@ private:
   bool CosineCorrection = true;
   int Expansion = MAXIMUM_DEVIATION;
   double ExpansionFraction = 1.0;
+  double RadiusScale = 1.0;
   bool Overlap = false;
 };
 

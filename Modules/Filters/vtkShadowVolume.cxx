@@ -3,7 +3,9 @@
 
 #include "scAdapters.h"
 #include "scConeField.h"
+#include "scLightData.h"
 #include "scPieces.h"
+#include "scUmbraField.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -22,8 +24,10 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -137,6 +141,48 @@ std::string CheckRegion(const Box& region, int resolution)
   return fault.str();
 }
 
+/// A region to contour, and the field in it.
+struct Solid
+{
+  Box Region;
+  std::function<bool(const FieldGrid& grid, const Monitor& monitor, float* values)> Sample;
+};
+
+Solid UnionOfCones(const std::vector<Cone>& cones, ConeBound bound, double length, const Box& bounds)
+{
+  const ConeField field(cones, bound, length, bounds);
+  return { field.Region(),
+    [field](const FieldGrid& grid, const Monitor& monitor, float* values) { return field.Sample(grid, monitor, values); } };
+}
+
+/// Looked for with half of the resolution first: it may fill a small part of what the discs can shade.
+Solid JointUmbra(const std::vector<Cone>& cones, const Light& light, double length, const Box& bounds, int resolution,
+  const Monitor& monitor)
+{
+  const UmbraField field(cones, light, length, bounds);
+  Solid solid;
+  solid.Region = field.Region();
+  if (!solid.Region.Empty() && CheckRegion(solid.Region, resolution).empty())
+  {
+    solid.Region = field.Find(solid.Region, (resolution + 1) / 2, monitor);
+  }
+  solid.Sample = [field, region = solid.Region](const FieldGrid& grid, const Monitor& part, float* values)
+  { return field.Sample(grid, region, part, values); };
+  return solid;
+}
+
+/// The light's exact shape, from the field data of the cone set.
+bool ReadLightOf(vtkPolyData* coneSet, Light& light, std::string& error)
+{
+  if (!coneSet->GetFieldData()->GetAbstractArray("LightShape"))
+  {
+    error = "Umbra is BaseDiscs, but the field data of the cone set does not carry the light (\"LightShape\"): use "
+            "InnerCones, or cones of a light of vtkAreaLightSource.";
+    return false;
+  }
+  return ReadLight(coneSet, light, error);
+}
+
 double DiagonalOfBases(const std::vector<Cone>& cones)
 {
   Box box;
@@ -183,6 +229,10 @@ std::string vtkShadowVolume::CheckParameters() const
   {
     fault << "Resolution is " << this->Resolution << "; it must be from 4 to 1024.";
   }
+  else if (this->Umbra < INNER_CONES || this->Umbra > BASE_DISCS)
+  {
+    fault << "Umbra is " << this->Umbra << "; it must be 0 (InnerCones) or 1 (BaseDiscs).";
+  }
   else if (!(this->Length >= 0.0 && std::isfinite(this->Length)))
   {
     fault << "Length is " << this->Length << "; it must be finite and 0 or more.";
@@ -217,6 +267,13 @@ int vtkShadowVolume::RequestData(
     return 0;
   }
 
+  Light light;
+  if (!cones.empty() && this->Umbra == BASE_DISCS && !ReadLightOf(input, light, error))
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+
   const Groups groups = GroupCones(cones, this->PerOccluder);
   const PieceRequest piece = RequestedPiece(request, outputVector);
   const vtkIdType begin = piece.Begin(static_cast<vtkIdType>(groups.size()));
@@ -228,22 +285,28 @@ int vtkShadowVolume::RequestData(
     for (vtkIdType i = 2 * begin; i < 2 * end; ++i)
     {
       const auto& group = groups[i / 2];
-      const ConeField field(group.second, static_cast<ConeBound>(i % 2), length, bounds);
-      if (field.Region().Empty())
+      const double steps = static_cast<double>(2 * (end - begin));
+      const Monitor part = monitor.Part((i - 2 * begin) / steps, (i - 2 * begin + 1) / steps);
+      const Solid solid = i % 2 && this->Umbra == BASE_DISCS
+        ? JointUmbra(group.second, light, length, bounds, this->Resolution, part.Part(0.0, 0.3))
+        : UnionOfCones(group.second, i % 2 ? ConeBound::Inner : ConeBound::Outer, length, bounds);
+      if (part.IsAborted())
+      {
+        return 1; // the outputs stay empty
+      }
+      if (solid.Region.Empty())
       {
         continue;
       }
-      error = CheckRegion(field.Region(), this->Resolution);
+      error = CheckRegion(solid.Region, this->Resolution);
       if (!error.empty())
       {
         vtkErrorMacro("The " << (i % 2 ? "inner" : "outer") << " bound of occluder " << group.first << " needs " << error);
         return 0;
       }
-      const double steps = static_cast<double>(2 * (end - begin));
-      const Monitor part = monitor.Part((i - 2 * begin) / steps, (i - 2 * begin + 1) / steps);
-      const FieldGrid grid = GridOver(field.Region(), this->Resolution);
+      const FieldGrid grid = GridOver(solid.Region, this->Resolution);
       std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
-      if (!field.Sample(grid, part, values.data()))
+      if (!solid.Sample(grid, part.Part(0.3, 1.0), values.data()))
       {
         return 1; // aborted: the outputs stay empty
       }
@@ -269,5 +332,7 @@ void vtkShadowVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "Bounds: " << b[0] << ", " << b[1] << ", " << b[2] << ", " << b[3] << ", " << b[4] << ", " << b[5] << "\n";
   os << indent << "Length: " << this->Length << "\n";
+  os << indent << "Umbra: "
+     << (this->Umbra == INNER_CONES ? "InnerCones" : this->Umbra == BASE_DISCS ? "BaseDiscs" : "invalid") << "\n";
   os << indent << "PerOccluder: " << (this->PerOccluder ? "on" : "off") << "\n";
 }

@@ -10,11 +10,11 @@
  * the surface only. Results are the same bytes for any number of threads; the pieces of a piece request are ranges of occluders.
  *
  * Input port 0: vtkPolyData, a cone set as vtkConeSetFilter writes it; point data "Axis", "BaseRadius" and "HalfAngle" are
- * required, "InnerHalfAngle" and "OccluderId" optional.
+ * required, "InnerHalfAngle" and "OccluderId" optional. Field data: the light's exact shape, for Umbra BaseDiscs.
  *
  * Output port 0: vtkPolyData, the outer bound: the union of the cones that open by "HalfAngle", which holds the penumbra and the
  * umbra where the cones are bounds (Expansion LightGeometry, ExpansionFraction 1). Output port 1: the inner bound: the union of
- * the cones that open or close by "InnerHalfAngle". Both hold triangles; points are in double precision, world units. Cell data:
+ * the cones that open or close by "InnerHalfAngle", or what the base discs hide together; see Umbra. Both hold triangles; points are in double precision, world units. Cell data:
  * "OccluderId" (int; -1 where PerOccluder is off), triangles in ascending order of it. Field data: that of the cone set. An
  * occluder whose cones have no volume inside the bounds has no triangles.
  *
@@ -22,8 +22,7 @@
  * outputs. Larger grids are an error.
  *
  * @warning A surface is true to about a cell, its region's longest side over Resolution: edges and tips are rounded off, and what
- * is thinner than a cell may be missing. That makes the umbra too small, whose cones end in tips. It is also the union of what
- * each base disc alone puts in full shadow, hence smaller than the umbra of an occluder of many small discs.
+ * is thinner than a cell may be missing. That makes the umbra too small, whose cones end in tips.
  * @sa vtkConeSetFilter vtkConeSetGeometry
  */
 #ifndef vtkShadowVolume_h
@@ -61,6 +60,22 @@ public:
   vtkGetMacro(Length, double);
   ///@}
 
+  enum UmbraType
+  {
+    INNER_CONES = 0,
+    BASE_DISCS = 1
+  };
+  ///@{
+  /// What the inner bound is. InnerCones: the union of the inner cones, what each base disc alone puts in full shadow; never too
+  /// large, but far too small where many small discs hide the light together. BaseDiscs: what all base discs of an occluder
+  /// together hide from every one of 64 points of the light (256 of a sphere); needs the light's exact shape in the field data.
+  /// Default InnerCones.
+  vtkSetMacro(Umbra, int);
+  vtkGetMacro(Umbra, int);
+  void SetUmbraToInnerCones() { this->SetUmbra(INNER_CONES); }
+  void SetUmbraToBaseDiscs() { this->SetUmbra(BASE_DISCS); }
+  ///@}
+
   ///@{
   /// On: a closed surface for each "OccluderId", which overlap where shadows do. Off: one for all. Default on.
   vtkSetMacro(PerOccluder, bool);
@@ -86,6 +101,7 @@ private:
   int Resolution = 64;
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Length = 0.0;
+  int Umbra = INNER_CONES;
   bool PerOccluder = true;
 };
 

@@ -57,7 +57,8 @@ vtkSmartPointer<vtkPolyData> Read(const std::string& file)
   }
   if (!mesh || mesh->GetNumberOfPolys() == 0)
   {
-    throw std::runtime_error("No polygons in '" + file + "': give chair, tree, blob, or a .vtp, .obj, .ply or .stl file.");
+    throw std::runtime_error(
+      "No polygons in '" + file + "': give chair, tree, blob, or a .vtp, .obj, .ply or .stl file.");
   }
   return mesh;
 }
@@ -132,6 +133,7 @@ ConeParameters NamedParameters(const std::string& set)
   {
     parameters.Storage = 0;
     parameters.Variance = 1.6;
+    parameters.Planarity = 0.0;
     parameters.Expansion = 0;
     parameters.Cosine = true;
     parameters.Overlap = false;
@@ -148,10 +150,10 @@ std::string Describe(const ConeParameters& parameters)
 {
   static const char* const expansions[3] = { "max", "ratio", "light" };
   std::ostringstream text;
-  text << parameters.Set << ' ' << (parameters.Storage ? "hit" : "back") << " p=" << parameters.P1 << ',' << parameters.P2
-       << ',' << parameters.P3 << ',' << parameters.P4 << " t=" << parameters.Variance << " flat=" << parameters.Planarity
-       << ' ' << expansions[parameters.Expansion] << '*' << parameters.Fraction << (parameters.Cosine ? " cos" : "")
-       << (parameters.Overlap ? " overlap" : "") << " seed=" << parameters.Seed;
+  text << parameters.Set << ' ' << (parameters.Storage ? "hit" : "back") << " p=" << parameters.P1 << ','
+       << parameters.P2 << ',' << parameters.P3 << ',' << parameters.P4 << " t=" << parameters.Variance
+       << " flat=" << parameters.Planarity << ' ' << expansions[parameters.Expansion] << '*' << parameters.Fraction
+       << (parameters.Cosine ? " cos" : "") << (parameters.Overlap ? " overlap" : "") << " seed=" << parameters.Seed;
   return text.str();
 }
 

@@ -39,7 +39,8 @@ struct BenchmarkScene
 };
 
 /**
- * Load "chair", "tree" or "blob", or a file (.vtp, .obj, .ply, .stl), which is scaled to a height of 3 and stood on the floor.
+ * Load "chair", "tree" or "blob", or a file (.vtp, .obj, .ply, .stl), which is scaled to a height of 3 and stood on
+ * the floor.
  * Throws std::runtime_error where there is no such mesh.
  */
 BenchmarkScene LoadBenchmarkScene(const std::string& nameOrFile);
@@ -55,7 +56,7 @@ struct ConeParameters
   int P3 = 16;
   int P4 = 20;
   double Variance = 1.8;
-  double Planarity = 0.25;
+  double Planarity = 0.0;
   int Expansion = 2; ///< 0 MaximumDeviation, 1 RadiusRatio, 2 LightGeometry
   double Fraction = 1.0;
   bool Cosine = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How well cones bound the shadow: one line for each scene, number of vectors and set of parameters.
 //
-// A sample is a pair (x, y): x uniform in the room, y uniform on the light. It is *blocked* where the mesh cuts the segment
-// from x to y, and *inside* where a cone holds x.
+// A sample is a pair (x, y): x uniform in the room, y uniform on the light. It is *blocked* where the mesh cuts the
+// segment from x to y, and *inside* where a cone holds x.
 //   recall    = blocked and inside / blocked    share of the blocked light that lies inside cones
 //   precision = blocked and inside / inside     share of the light at points inside cones that is blocked
 //   leak      = blocked, not inside / blocked   1 - recall
@@ -40,23 +40,25 @@ Truth SampleTruth(const BenchmarkScene& scene, int points, int lightPoints, int 
   truth.Blocked.assign(points, 0);
   const Box room = RoomBounds();
   const Vector3 size = room.Size();
-  vtkSMPTools::For(0, points, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType k = begin; k < end; ++k)
+  vtkSMPTools::For(0, points,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      RandomStream random(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(k));
-      const double u = random.Next();
-      const double v = random.Next();
-      const double w = random.Next();
-      const Vector3 x = room.Min + Vector3{ u * size.X, v * size.Y, w * size.Z };
-      truth.Points[k] = x;
-      for (int s = 0; s < lightPoints; ++s)
+      for (vtkIdType k = begin; k < end; ++k)
       {
-        const double a = random.Next();
-        const IncidentSample sample = SampleVisibleLight(scene.Source, x, a, random.Next());
-        truth.Blocked[k] += scene.Fast->Occluded(x, sample.Direction, 0.0, sample.Distance);
+        RandomStream random(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(k));
+        const double u = random.Next();
+        const double v = random.Next();
+        const double w = random.Next();
+        const Vector3 x = room.Min + Vector3{ u * size.X, v * size.Y, w * size.Z };
+        truth.Points[k] = x;
+        for (int s = 0; s < lightPoints; ++s)
+        {
+          const double a = random.Next();
+          const IncidentSample sample = SampleVisibleLight(scene.Source, x, a, random.Next());
+          truth.Blocked[k] += scene.Fast->Occluded(x, sample.Direction, 0.0, sample.Distance);
+        }
       }
-    }
-  });
+    });
   return truth;
 }
 
@@ -73,12 +75,14 @@ Accuracy Measure(const Truth& truth, const std::vector<Cone>& cones)
   const ConeHierarchy hierarchy(cones, RoomBounds());
   const auto count = static_cast<vtkIdType>(truth.Points.size());
   std::vector<unsigned char> inside(truth.Points.size());
-  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType k = begin; k < end; ++k)
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      inside[k] = hierarchy.Contains(truth.Points[k]);
-    }
-  });
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        inside[k] = hierarchy.Contains(truth.Points[k]);
+      }
+    });
   double blocked = 0.0;
   double blockedInside = 0.0;
   double allInside = 0.0;
@@ -141,7 +145,8 @@ int main(int argc, char* argv[])
   int truthSeed = 20240;
   std::string csv;
   const std::map<std::string, int> storages = { { "BackSide", 0 }, { "HitPoint", 1 } };
-  const std::map<std::string, int> expansions = { { "MaximumDeviation", 0 }, { "RadiusRatio", 1 }, { "LightGeometry", 2 } };
+  const std::map<std::string, int> expansions = { { "MaximumDeviation", 0 }, { "RadiusRatio", 1 },
+    { "LightGeometry", 2 } };
   app.add_option("--scene", scenes, "chair, tree, blob");
   app.add_option("--mesh", meshes, "mesh files to use as well, scaled to a height of 3 on the floor");
   app.add_option("--set", names, "starting values: paper, bounds");
@@ -199,10 +204,11 @@ int main(int argc, char* argv[])
     {
       std::fprintf(table, "scene,vectors,cones,discarded,recall,precision,leak,lost,trace_s,fit_s,ray_ns,parameters\n");
     }
-    std::printf("# samples: %d points in the room x %d light points; blocked: the mesh is between; inside: a cone holds the "
-                "point\n"
-                "# recall: blocked inside / blocked; precision: blocked inside / inside; leak: blocked outside / blocked; "
-                "lost: lit inside / lit\n",
+    std::printf(
+      "# samples: %d points in the room x %d light points; blocked: the mesh is between; inside: a cone holds the "
+      "point\n"
+      "# recall: blocked inside / blocked; precision: blocked inside / inside; leak: blocked outside / blocked; "
+      "lost: lit inside / lit\n",
       points, lightPoints);
     std::printf("%-10s %8s %6s %9s %8s %9s %8s %8s %9s %7s %7s  parameters\n", "scene", "vectors", "cones", "discarded",
       "recall", "precision", "leak", "lost", "trace[s]", "fit[s]", "ray[ns]");
@@ -224,14 +230,14 @@ int main(int argc, char* argv[])
         const Accuracy accuracy = Measure(truth, cones.Cones);
         const long long count = traced.Vectors->GetNumberOfPoints();
         std::printf("%-10s %8lld %6zu %9.4f %8.5f %9.4f %8.5f %8.4f %9.3f %7.3f %7.0f  %s\n", scene.Name.c_str(), count,
-          cones.Cones.size(), cones.Discarded, accuracy.Recall, accuracy.Precision, 1.0 - accuracy.Recall, accuracy.Lost,
-          traced.Seconds, cones.Seconds, accuracy.NanosecondsPerRay, Describe(parameters).c_str());
+          cones.Cones.size(), cones.Discarded, accuracy.Recall, accuracy.Precision, 1.0 - accuracy.Recall,
+          accuracy.Lost, traced.Seconds, cones.Seconds, accuracy.NanosecondsPerRay, Describe(parameters).c_str());
         std::fflush(stdout);
         if (table)
         {
           std::fprintf(table, "%s,%lld,%zu,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%.0f,\"%s\"\n", scene.Name.c_str(), count,
-            cones.Cones.size(), cones.Discarded, accuracy.Recall, accuracy.Precision, 1.0 - accuracy.Recall, accuracy.Lost,
-            traced.Seconds, cones.Seconds, accuracy.NanosecondsPerRay, Describe(parameters).c_str());
+            cones.Cones.size(), cones.Discarded, accuracy.Recall, accuracy.Precision, 1.0 - accuracy.Recall,
+            accuracy.Lost, traced.Seconds, cones.Seconds, accuracy.NanosecondsPerRay, Describe(parameters).c_str());
         }
       }
     }

@@ -129,11 +129,12 @@ double Fingerprint(const TriangleMesh& mesh)
   return sum;
 }
 
-std::vector<PixelTruth> Reference(const BenchmarkScene& scene, const Room& room, const Setting& setting, const std::string& folder)
+std::vector<PixelTruth> Reference(
+  const BenchmarkScene& scene, const Room& room, const Setting& setting, const std::string& folder)
 {
   char header[200];
-  std::snprintf(header, sizeof(header), "%d %s %d %d %d %.6f", referenceVersion, scene.Name.c_str(), setting.Size, setting.Pixels,
-    setting.Samples, Fingerprint(room.Mesh));
+  std::snprintf(header, sizeof(header), "%d %s %d %d %d %.6f", referenceVersion, scene.Name.c_str(), setting.Size,
+    setting.Pixels, setting.Samples, Fingerprint(room.Mesh));
   const std::string file = folder + "/scattering-reference-" + scene.Name + ".txt";
   std::vector<PixelTruth> truth(setting.Pixels);
   std::ifstream in(file);
@@ -157,20 +158,22 @@ std::vector<PixelTruth> Reference(const BenchmarkScene& scene, const Room& room,
   const ReferenceScene slow(room.Mesh.View());
   const Medium medium = RoomMedium(scene.Source);
   const Camera camera = RoomCamera();
-  vtkSMPTools::For(0, setting.Pixels, 1, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType k = begin; k < end; ++k)
+  vtkSMPTools::For(0, setting.Pixels, 1,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      // Pixels in the order of the golden ratio cover the image evenly.
-      const double turns = 0.61803398874989485 * static_cast<double>(k);
-      PixelTruth& pixel = truth[k];
-      pixel.I = static_cast<int>((turns - std::floor(turns)) * setting.Size);
-      pixel.J = static_cast<int>((static_cast<double>(k) + 0.5) / setting.Pixels * setting.Size);
-      const ReferenceEstimate estimate = ReferenceInScattering(
-        slow, scene.Source, medium, camera, pixel.I, pixel.J, setting.Size, setting.Size, setting.Samples);
-      pixel.Mean = MeanOverWavelengths(estimate.Mean);
-      pixel.StandardError = MeanOverWavelengths(estimate.StandardError);
-    }
-  });
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        // Pixels in the order of the golden ratio cover the image evenly.
+        const double turns = 0.61803398874989485 * static_cast<double>(k);
+        PixelTruth& pixel = truth[k];
+        pixel.I = static_cast<int>((turns - std::floor(turns)) * setting.Size);
+        pixel.J = static_cast<int>((static_cast<double>(k) + 0.5) / setting.Pixels * setting.Size);
+        const ReferenceEstimate estimate = ReferenceInScattering(
+          slow, scene.Source, medium, camera, pixel.I, pixel.J, setting.Size, setting.Size, setting.Samples);
+        pixel.Mean = MeanOverWavelengths(estimate.Mean);
+        pixel.StandardError = MeanOverWavelengths(estimate.StandardError);
+      }
+    });
   std::fprintf(stderr, "%s: %.0f s\n", scene.Name.c_str(), Now() - start);
   std::ofstream out(file);
   out << header << '\n' << std::setprecision(12);
@@ -229,7 +232,8 @@ int main(int argc, char* argv[])
   app.add_option("--size", setting.Size, "width and height in pixels")->check(CLI::PositiveNumber);
   app.add_option("--pixels", setting.Pixels, "pixels that are compared with the reference")->check(CLI::PositiveNumber);
   app.add_option("--samples", setting.Samples, "samples of the reference for each of them")->check(CLI::PositiveNumber);
-  app.add_option("--light-samples", setting.LightSamples, "light points for each march sample")->check(CLI::PositiveNumber);
+  app.add_option("--light-samples", setting.LightSamples, "light points for each march sample")
+    ->check(CLI::PositiveNumber);
   app.add_option("--steps", setting.Steps, "march intervals along a ray")->check(CLI::PositiveNumber);
   app.add_option("--depth", setting.Depth, "times an interval may be halved");
   app.add_option("--threshold", setting.Threshold, "difference that halves an interval");
@@ -240,13 +244,15 @@ int main(int argc, char* argv[])
 
   try
   {
-    std::printf("# %d x %d pixels, %d thread(s), steps %d, depth %d, threshold %g, %d light points a march sample, best of %d "
-                "runs\n# seconds: of processor time; they and the rays include surfaces, shaded with 16 light points\n"
-                "# error and bias: of the medium term at %d pixels, over its mean, the reference's noise taken off; speed: BruteForce = 1\n",
+    std::printf(
+      "# %d x %d pixels, %d thread(s), steps %d, depth %d, threshold %g, %d light points a march sample, best of %d "
+      "runs\n# seconds: of processor time; they and the rays include surfaces, shaded with 16 light points\n"
+      "# error and bias: of the medium term at %d pixels, over its mean, the reference's noise taken off; speed: "
+      "BruteForce = 1\n",
       setting.Size, setting.Size, threads, setting.Steps, setting.Depth, setting.Threshold, setting.LightSamples,
       setting.Repeats, setting.Pixels);
-    std::printf("%-8s %-24s %7s %8s %7s %8s %8s %12s\n", "scene", "mode", "cones", "seconds", "speed", "error", "bias",
-      "rays");
+    std::printf(
+      "%-8s %-24s %7s %8s %7s %8s %8s %12s\n", "scene", "mode", "cones", "seconds", "speed", "error", "bias", "rays");
     for (const std::string& name : scenes)
     {
       const BenchmarkScene scene = LoadBenchmarkScene(name);
@@ -254,7 +260,8 @@ int main(int argc, char* argv[])
       vtkSMPTools::Initialize(0);
       const std::vector<PixelTruth> truth = Reference(scene, room, setting, folder);
 
-      const auto conesOf = [&](const std::string& set, double fraction) {
+      const auto conesOf = [&](const std::string& set, double fraction)
+      {
         ConeParameters parameters = NamedParameters(set);
         parameters.Vectors = vectors;
         parameters.Fraction = fraction;

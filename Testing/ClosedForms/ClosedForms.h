@@ -3,8 +3,8 @@
  * @file ClosedForms.h
  * @brief Shadows and airlight that can be written down: what every estimate is tested against.
  *
- * For the planar cases the light lies in the plane z = 0, the occluder in the plane z = L, and the point at depth z > L with
- * the lateral offset x; s = z / (z - L) is the scale of the occluder's image on the light.
+ * For the planar cases the light lies in the plane z = 0, the occluder in the plane z = L, and the point at depth
+ * z > L with the lateral offset x; s = z / (z - L) is the scale of the occluder's image on the light.
  */
 #ifndef ClosedForms_h
 #define ClosedForms_h
@@ -41,7 +41,7 @@ inline double Integrate(const std::function<double(double)>& function, double a,
   return sum * h / 3.0;
 }
 
-// 1. Disc light, coaxial disc occluder ---------------------------------------------------------------------------------
+// 1. Disc light, coaxial disc occluder.
 
 /// Overlap area of two discs of radius a and b whose centres are d apart.
 inline double LensArea(double a, double b, double d)
@@ -86,7 +86,7 @@ inline double DiscPenumbraHalfAngle(double R, double r, double L)
   return std::atan((R + r) / L);
 }
 
-// 2. Sphere light, sphere occluder -------------------------------------------------------------------------------------
+// 2. Sphere light, sphere occluder.
 
 /// Solid angle shared by two spherical caps of half angles a and b whose axes are an angle d apart.
 inline double CapOverlap(double a, double b, double d)
@@ -106,7 +106,7 @@ inline double CapOverlap(double a, double b, double d)
   return 2.0 * (Pi - atCrossing - atA * std::cos(a) - atB * std::cos(b));
 }
 
-/// Visible fraction, by solid angle, of a sphere light (radius R at the origin) behind a sphere (r at occluder), seen from x.
+/// Visible fraction, by solid angle, of a sphere light (radius R at the origin) behind a sphere r at @p occluder.
 inline double SphereVisibility(double R, double r, const Vector3& occluder, const Vector3& x)
 {
   const Vector3 toOccluder = occluder - x;
@@ -131,7 +131,7 @@ inline double SphereUmbraLength(double R, double r, double D)
   return r * D / (R - r);
 }
 
-// 3. Parallel rectangles -----------------------------------------------------------------------------------------------
+// 3. Parallel rectangles.
 
 /// Overlap length of [a - p, a + p] and [b - q, b + q].
 inline double IntervalOverlap(double a, double p, double b, double q)
@@ -146,7 +146,7 @@ inline double RectangleVisibility(double A, double B, double a, double b, double
   return 1.0 - overlap / (4.0 * A * B);
 }
 
-// 4. Straight edge over a disc light -----------------------------------------------------------------------------------
+// 4. Straight edge over a disc light.
 
 /// Area of the part of a disc of radius R on the side x > h.
 inline double CircularSegment(double R, double h)
@@ -168,7 +168,7 @@ inline double EdgeVisibility(double R, double L, double z, double x)
   return CircularSegment(R, x * (1.0 - s)) / (Pi * R * R);
 }
 
-// 5. Airlight of a point light (Sun et al. 2005) -----------------------------------------------------------------------
+// 5. Airlight of a point light (Sun et al. 2005).
 
 /// F(u, v) = integral from 0 to v of exp(-u tan x), by quadrature.
 inline double AirlightF(double u, double v)
@@ -178,8 +178,8 @@ inline double AirlightF(double u, double v)
 
 /**
  * Airlight from the eye up to a distance, of an isotropic point light in an endless homogeneous medium of albedo 1.
- * @param intensity W sr^-1; @param beta 1/unit; @param toLight distance eye to light; @param gamma angle between the ray and
- * the direction to the light, in (0, pi); @param along distance from the eye along the ray.
+ * @param intensity W sr^-1; @param beta 1/unit; @param toLight distance eye to light; @param gamma angle between the
+ * ray and the direction to the light, in (0, pi); @param along distance from the eye along the ray.
  */
 inline double Airlight(double intensity, double beta, double toLight, double gamma, double along)
 {
@@ -191,22 +191,24 @@ inline double Airlight(double intensity, double beta, double toLight, double gam
   return a0 * (AirlightF(a1, angle) - AirlightF(a1, 0.5 * gamma));
 }
 /// The same over lit parts [begin, end] of the ray only: exact hard shadows.
-inline double AirlightOver(double intensity, double beta, double toLight, double gamma,
-  const std::vector<std::pair<double, double>>& lit)
+inline double AirlightOver(
+  double intensity, double beta, double toLight, double gamma, const std::vector<std::pair<double, double>>& lit)
 {
   double sum = 0.0;
   for (const auto& part : lit)
   {
-    sum += Airlight(intensity, beta, toLight, gamma, part.second) - Airlight(intensity, beta, toLight, gamma, part.first);
+    sum +=
+      Airlight(intensity, beta, toLight, gamma, part.second) - Airlight(intensity, beta, toLight, gamma, part.first);
   }
   return sum;
 }
 
-// 6. Parallel light on a slab ------------------------------------------------------------------------------------------
+// 6. Parallel light on a slab.
 
 /**
- * Radiance along a ray normal to parallel light, isotropic phase function. The light enters the slab at height 1, the ray
- * runs at height y over the length S; [a, b] are its shadowed parts. @param irradiance of a plane that faces the light.
+ * Radiance along a ray normal to parallel light, isotropic phase function. The light enters the slab at height 1, the
+ * ray runs at height y over the length S; [a, b] are its shadowed parts.
+ * @param irradiance of a plane that faces the light.
  */
 inline double SlabRadiance(double sigmaS, double sigmaT, double irradiance, double y, double S,
   const std::vector<std::pair<double, double>>& shadowed)
@@ -219,7 +221,7 @@ inline double SlabRadiance(double sigmaS, double sigmaT, double irradiance, doub
   return sigmaS * irradiance / (4.0 * Pi * sigmaT) * std::exp(-sigmaT * (1.0 - y)) * sum;
 }
 
-// 7. Solid angle -------------------------------------------------------------------------------------------------------
+// 7. Solid angle.
 
 /// Solid angle of a disc of radius R from a point on its axis at the distance h.
 inline double DiscSolidAngle(double R, double h)
@@ -227,7 +229,7 @@ inline double DiscSolidAngle(double R, double h)
   return 2.0 * Pi * (1.0 - h / std::hypot(h, R));
 }
 
-// 8. Phase functions ---------------------------------------------------------------------------------------------------
+// 8. Phase functions.
 
 inline double SchlickLobe(double k, double cosine)
 {

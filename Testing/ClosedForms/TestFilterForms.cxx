@@ -133,7 +133,8 @@ TEST(FilterForms, AirlightOfAPointLight)
       for (const int k : { 0, 3 })
       {
         const double expected = closedforms::Airlight(3.0, k == 3 ? 0.2 : 0.05, Length(ray.Origin), gamma, end);
-        EXPECT_NEAR(picture.Value(i, j, k) / expected, 1.0, Tolerance) << "pixel " << i << ", " << j << ", wavelength " << k;
+        EXPECT_NEAR(picture.Value(i, j, k) / expected, 1.0, Tolerance)
+          << "pixel " << i << ", " << j << ", wavelength " << k;
       }
     }
   }

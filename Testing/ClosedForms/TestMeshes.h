@@ -45,7 +45,10 @@ struct TestMesh
     this->Points.insert(this->Points.end(), { p.X, p.Y, p.Z });
     return static_cast<vtkIdType>(this->Points.size() / 3) - 1;
   }
-  void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c) { this->Triangles.insert(this->Triangles.end(), { a, b, c }); }
+  void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    this->Triangles.insert(this->Triangles.end(), { a, b, c });
+  }
   void AddParallelogram(const Vector3& corner, const Vector3& u, const Vector3& v)
   {
     const vtkIdType a = this->AddPoint(corner);
@@ -79,8 +82,8 @@ struct TestMesh
       for (int k = 0; k < around; ++k)
       {
         const double phi = 2.0 * closedforms::Pi * k / around;
-        this->AddPoint(
-          center + radius * Vector3{ std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta) });
+        this->AddPoint(center +
+          radius * Vector3{ std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta) });
       }
     }
     for (int i = 0; i < rings; ++i)
@@ -116,8 +119,8 @@ struct TestMesh
 };
 
 /// Visible fraction of a light by points (u, v) on it, as the fast paths see it.
-inline double VisibilityBy(const std::vector<std::array<double, 2>>& points, const OccluderScene& scene, const Light& light,
-  const Vector3& x)
+inline double VisibilityBy(
+  const std::vector<std::array<double, 2>>& points, const OccluderScene& scene, const Light& light, const Vector3& x)
 {
   double seen = 0.0;
   double all = 0.0;
@@ -136,7 +139,8 @@ inline double VisibilityBy(const std::vector<std::array<double, 2>>& points, con
 /// 1,024 points of a lattice with steps of the golden ratio.
 inline double SampledVisibility(const OccluderScene& scene, const Light& light, const Vector3& x)
 {
-  static const std::vector<std::array<double, 2>> points = [] {
+  static const std::vector<std::array<double, 2>> points = []
+  {
     std::vector<std::array<double, 2>> lattice;
     for (int k = 0; k < 1024; ++k)
     {

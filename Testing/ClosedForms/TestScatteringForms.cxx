@@ -111,8 +111,7 @@ TEST(ScatteringForms, AirlightOfAPointLight)
       const double gamma = std::acos(Dot(toLight, ray.Direction) / Length(toLight));
       for (int k = 0; k < 2; ++k)
       {
-        const double expected =
-          closedforms::Airlight(light.Spectrum[k], medium.SigmaS[k], Length(toLight), gamma, end);
+        const double expected = closedforms::Airlight(light.Spectrum[k], medium.SigmaS[k], Length(toLight), gamma, end);
         EXPECT_NEAR(image.InScattering[2 * (j * size + i) + k] / expected, 1.0, Tolerance)
           << "pixel " << i << ", " << j << ", wavelength " << k;
       }
@@ -142,9 +141,8 @@ TEST(ScatteringForms, AirlightBehindABar)
       double end = HUGE_VAL;
       ASSERT_TRUE(medium.Bounds.Clip(ray.Origin, ray.Direction, begin, end));
       // The shadow of an edge x = c at y = -1 is the plane x = -c y.
-      const auto meets = [&ray](double c) {
-        return -(ray.Origin.X + c * ray.Origin.Y) / (ray.Direction.X + c * ray.Direction.Y);
-      };
+      const auto meets = [&ray](double c)
+      { return -(ray.Origin.X + c * ray.Origin.Y) / (ray.Direction.X + c * ray.Direction.Y); };
       const Vector3 toLight = light.Center - ray.Origin;
       const double gamma = std::acos(Dot(toLight, ray.Direction) / Length(toLight));
       const double whole = closedforms::Airlight(3.0, 0.1, Length(toLight), gamma, end);
@@ -185,8 +183,7 @@ TEST(ScatteringForms, SunOnASlab)
       const double y = camera.PixelRay(0, j, size, size).Origin.Y - place({}).Y;
       for (int k = 0; k < 2; ++k)
       {
-        const double expected =
-          closedforms::SlabRadiance(sigmaS[k], sigmaS[k] + sigmaA[k], irradiance, y, S, shadowed);
+        const double expected = closedforms::SlabRadiance(sigmaS[k], sigmaS[k] + sigmaA[k], irradiance, y, S, shadowed);
         EXPECT_NEAR(image.InScattering[2 * (j * size + 1) + k] / expected, 1.0, Tolerance)
           << place.Name << ", y " << y << ", wavelength " << k;
       }

@@ -281,7 +281,8 @@ TEST(Visibility, StraightEdge)
       for (int k = -6; k <= 6; ++k)
       {
         const double x = 0.2 * k * width;
-        EXPECT_NEAR(SampledVisibility(scene, light, place({ x, 0.0, z })), closedforms::EdgeVisibility(R, L, z, x), Tolerance)
+        EXPECT_NEAR(
+          SampledVisibility(scene, light, place({ x, 0.0, z })), closedforms::EdgeVisibility(R, L, z, x), Tolerance)
           << place.Name << ", z " << z << ", k " << k;
       }
     }

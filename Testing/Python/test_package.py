@@ -77,8 +77,7 @@ class Package(unittest.TestCase):
     def test_set_and_get(self):
         for name in CLASSES:
             for instance, parameter, value in parameters(name):
-                # Tuning has one value yet.
-                if isinstance(value, (bool, int, float)) and parameter != "Tuning":
+                if isinstance(value, (bool, int, float)):
                     with self.subTest(f"{name}.{parameter}"):
                         other = not value if isinstance(value, bool) else value + 1
                         time = instance.GetMTime()

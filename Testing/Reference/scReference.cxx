@@ -50,8 +50,8 @@ double HitTriangle(const std::array<Vector3, 3>& triangle, const Vector3& origin
 }
 
 /// The part of [tMin, tMax] in a box; false where nothing is left.
-bool ClipToBox(const double* boxMin, const double* boxMax, const Vector3& origin, const Vector3& direction, double& tMin,
-  double& tMax)
+bool ClipToBox(const double* boxMin, const double* boxMax, const Vector3& origin, const Vector3& direction,
+  double& tMin, double& tMax)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -85,8 +85,7 @@ bool ClipToMedium(const Box& box, const Vector3& origin, const Vector3& directio
 /// A vector that is not parallel to @p axis, made orthogonal to it.
 Vector3 AnyOrthogonal(const Vector3& axis)
 {
-  const Vector3 other =
-    std::abs(axis.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
+  const Vector3 other = std::abs(axis.X) < 0.6 ? Vector3{ 1.0, 0.0, 0.0 } : Vector3{ 0.0, 1.0, 0.0 };
   const Vector3 cross = Cross(axis, other);
   return (1.0 / Length(cross)) * cross;
 }
@@ -293,7 +292,8 @@ public:
     if (this->IsVertices())
     {
       const std::size_t count = light.Vertices.size();
-      Draw draw = Towards(x, light.Vertices[std::min<std::size_t>(static_cast<std::size_t>(random.Next() * count), count - 1)]);
+      Draw draw =
+        Towards(x, light.Vertices[std::min<std::size_t>(static_cast<std::size_t>(random.Next() * count), count - 1)]);
       draw.Weight = 1.0;
       return draw;
     }
@@ -426,8 +426,8 @@ int ReferenceScene::Build(int begin, int end)
   for (int axis = 0; axis < 3; ++axis)
   {
     // A ray in the plane of a flat box must not miss it by rounding.
-    const double pad = 1e-12 * (std::abs(node.Min[axis]) + std::abs(node.Max[axis])) +
-      1e-12 * (node.Max[widest] - node.Min[widest]);
+    const double pad =
+      1e-12 * (std::abs(node.Min[axis]) + std::abs(node.Max[axis])) + 1e-12 * (node.Max[widest] - node.Min[widest]);
     node.Min[axis] -= pad;
     node.Max[axis] += pad;
   }
@@ -440,9 +440,9 @@ int ReferenceScene::Build(int begin, int end)
   {
     const int middle = (begin + end) / 2;
     const auto at = this->Triangles.begin();
-    std::nth_element(at + begin, at + middle, at + end, [widest](const auto& a, const auto& b) {
-      return a[0][widest] + a[1][widest] + a[2][widest] < b[0][widest] + b[1][widest] + b[2][widest];
-    });
+    std::nth_element(at + begin, at + middle, at + end,
+      [widest](const auto& a, const auto& b)
+      { return a[0][widest] + a[1][widest] + a[2][widest] < b[0][widest] + b[1][widest] + b[2][widest]; });
     this->Build(begin, middle);
     node.Second = this->Build(middle, end);
   }
@@ -451,8 +451,7 @@ int ReferenceScene::Build(int begin, int end)
 }
 
 //------------------------------------------------------------------------------
-double ReferenceScene::Search(
-  const Vector3& origin, const Vector3& direction, double tMin, double tMax, bool any) const
+double ReferenceScene::Search(const Vector3& origin, const Vector3& direction, double tMin, double tMax, bool any) const
 {
   double nearest = Infinity;
   if (this->Nodes.empty())
@@ -541,7 +540,8 @@ double ReferenceVisibility(
 //------------------------------------------------------------------------------
 double ReferencePhaseFunction(const PhaseFunction& phase, double cosine)
 {
-  const auto schlick = [cosine](double k) { return (1.0 - k * k) / (4.0 * Pi * (1.0 - k * cosine) * (1.0 - k * cosine)); };
+  const auto schlick = [cosine](double k)
+  { return (1.0 - k * k) / (4.0 * Pi * (1.0 - k * cosine) * (1.0 - k * cosine)); };
   const double g = phase.Asymmetry;
   switch (phase.Kind)
   {
@@ -603,7 +603,8 @@ ReferenceEstimate ReferenceInScattering(const ReferenceScene& scene, const Light
       const double r = (sample + random.Next()) / count;
       const bool uniform = !equiAngular || random.Next() < 0.25;
       const double t = std::clamp(
-        uniform ? begin + r * (end - begin) : foot + distance * std::tan(fromAngle + r * (toAngle - fromAngle)), begin, end);
+        uniform ? begin + r * (end - begin) : foot + distance * std::tan(fromAngle + r * (toAngle - fromAngle)), begin,
+        end);
       double density = 1.0 / (end - begin);
       if (equiAngular)
       {
@@ -656,11 +657,12 @@ bool ReferenceConeContains(const Cone& cone, const Vector3& point, double length
 }
 
 //------------------------------------------------------------------------------
-bool ReferenceConeInterval(const Cone& cone, double length, const Vector3& origin, const Vector3& direction, double tMin,
-  double tMax, double& begin, double& end, int samples)
+bool ReferenceConeInterval(const Cone& cone, double length, const Vector3& origin, const Vector3& direction,
+  double tMin, double tMax, double& begin, double& end, int samples)
 {
   const auto inside = [&](double t) { return ReferenceConeContains(cone, origin + t * direction, length); };
-  const auto edge = [&](double out, double in) {
+  const auto edge = [&](double out, double in)
+  {
     for (int step = 0; step < 60; ++step)
     {
       const double middle = 0.5 * (out + in);

@@ -3,8 +3,8 @@
  * @file scReference.h
  * @brief Slow, plain truth that every fast path is held against.
  *
- * It shares the plain structs of Core (mesh view, light, medium, camera, cone) and none of its code: own ray-triangle test in
- * double precision, own median-split tree, own independent random numbers (std::mt19937_64) and own light rule.
+ * It shares the plain structs of Core (mesh view, light, medium, camera, cone) and none of its code: own ray-triangle
+ * test in double precision, own median-split tree, own independent random numbers (std::mt19937_64) and own light rule.
  */
 #ifndef scReference_h
 #define scReference_h
@@ -52,8 +52,8 @@ private:
 };
 
 /**
- * Visible fraction of the light from a point, by independent random points on it: uniform by area (Disc, Rectangle, Mesh) or
- * by the solid angle of the visible cap (Sphere, Sun). 0 where only the dark side faces the point.
+ * Visible fraction of the light from a point, by independent random points on it: uniform by area (Disc, Rectangle,
+ * Mesh) or by the solid angle of the visible cap (Sphere, Sun). 0 where only the dark side faces the point.
  */
 double ReferenceVisibility(
   const ReferenceScene& scene, const Light& light, const Vector3& x, int samples, std::uint64_t seed = 1);
@@ -66,9 +66,9 @@ struct ReferenceEstimate
 };
 
 /**
- * Single scattering along the ray through the centre of pixel (i, j), up to the first surface: independent random positions
- * on the ray (a quarter of them uniform, the others equi-angular about the light), one independent random light point each, attenuation
- * on both legs over the length inside the medium. Sixteen independent estimates give the standard error.
+ * Single scattering along the ray through the centre of pixel (i, j), up to the first surface: random positions on the
+ * ray (a quarter of them uniform, the others equi-angular about the light), one independent random light point each,
+ * attenuation on both legs over the length inside the medium. Sixteen independent estimates give the standard error.
  */
 ReferenceEstimate ReferenceInScattering(const ReferenceScene& scene, const Light& light, const Medium& medium,
   const Camera& camera, int i, int j, int width, int height, int samples, std::uint64_t seed = 1);
@@ -79,8 +79,8 @@ double ReferencePhaseFunction(const PhaseFunction& phase, double cosine);
 /// Is the point inside the cone that is cut at @p length from its base?
 bool ReferenceConeContains(const Cone& cone, const Vector3& point, double length);
 /// First and last point of a ray inside a cone: @p samples points on [tMin, tMax], then bisection of both ends.
-bool ReferenceConeInterval(const Cone& cone, double length, const Vector3& origin, const Vector3& direction, double tMin,
-  double tMax, double& begin, double& end, int samples = 20000);
+bool ReferenceConeInterval(const Cone& cone, double length, const Vector3& origin, const Vector3& direction,
+  double tMin, double tMax, double& begin, double& end, int samples = 20000);
 
 } // namespace shadowcones
 

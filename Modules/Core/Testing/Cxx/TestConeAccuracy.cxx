@@ -223,11 +223,12 @@ TEST(ConeAccuracy, TheExactConeOfADiscIsFoundExact)
   const Vector3 center{ 0.0, 0.0, 2.0 };
   const Mesh mesh = DiscMesh(center, 1.0, 256);
   const OccluderScene scene(mesh.View());
-  const std::vector<Vector3> points = Draw({ { -3.0, -3.0, 0.0 }, { 3.0, 3.0, 3.0 } }, 20000);
+  const std::vector<Vector3> points = Draw({ { -4.5, -4.5, 0.0 }, { 4.5, 4.5, 3.0 } }, 16000);
   std::vector<SampleTruth> truth;
   ASSERT_TRUE(MeasureTruth(points, scene, light, 256, 1, {}, truth));
 
-  const auto report = [&](const Cone& cone) {
+  const auto report = [&](const Cone& cone)
+  {
     std::vector<SamplePrediction> predictions;
     std::vector<ConeTally> tallies;
     EXPECT_TRUE(ClassifyByCones(points, truth, { cone }, {}, predictions, tallies));
@@ -243,7 +244,7 @@ TEST(ConeAccuracy, TheExactConeOfADiscIsFoundExact)
   EXPECT_GT(best.Leak().High, 0.0);
   EXPECT_GT(best.UmbraRecall().Value, 0.97);
   EXPECT_GT(best.UmbraPrecision().Value, 0.97);
-  EXPECT_EQ(best.Samples(), 20000);
+  EXPECT_EQ(best.Samples(), 16000);
 
   // A cone of the right base and half of its angle leaks; one of twice the angle loses light.
   Cone narrow = exact;
@@ -262,7 +263,8 @@ TEST(ConeAccuracy, TheExactConeOfADiscIsFoundExact)
   EXPECT_GT(losing.VolumeError().Low, 0.2);
 
   // The volume error is that of the closed form, frusta of the height 2.
-  const auto frustum = [](const Cone& cone) {
+  const auto frustum = [](const Cone& cone)
+  {
     const double end = 1.0 + 2.0 * std::tan(cone.HalfAngle);
     return 1.0 + end + end * end;
   };
@@ -341,7 +343,8 @@ TEST(ConeAccuracy, GroupsAddUpToAll)
   ASSERT_TRUE(ClassifyByCones(points, truth, cones, {}, predictions, tallies));
   const AccuracyReport report = TallyAccuracy(truth, predictions, cones, 7);
 
-  const auto check = [&](const auto& groups) {
+  const auto check = [&](const auto& groups)
+  {
     AccuracyTally sum;
     double lost = 0.0;
     for (const auto& group : groups)

@@ -90,7 +90,10 @@ protected:
   vtkPolyData* Samples() { return this->Filter->GetOutput(); }
   vtkTable* Table(int port) { return vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(port)); }
   vtkPolyData* ConeOutput() { return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(4)); }
-  double Sample(const char* name, vtkIdType k) { return this->Samples()->GetPointData()->GetArray(name)->GetComponent(k, 0); }
+  double Sample(const char* name, vtkIdType k)
+  {
+    return this->Samples()->GetPointData()->GetArray(name)->GetComponent(k, 0);
+  }
 
   /// Quantity to (value, low, high).
   std::map<std::string, std::vector<double>> Summary()
@@ -361,7 +364,8 @@ TEST_F(AccuracyTest, StopsWhereAborted)
 
 TEST_F(AccuracyTest, EveryFaultHasItsOwnMessage)
 {
-  const auto expect = [&](const char* part) {
+  const auto expect = [&](const char* part)
+  {
     const std::string error = this->ErrorOf(this->Filter);
     EXPECT_NE(error.find(part), std::string::npos) << part << " is not in: " << error;
   };

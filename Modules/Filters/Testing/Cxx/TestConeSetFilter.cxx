@@ -137,7 +137,7 @@ TEST(ConeSetFilter, GivesTheDocumentedArrays)
   EXPECT_EQ(FieldValue(cones, "LightRadius"), 0.5);
   const std::map<std::string, double> parameters = { { "Tuning", 0 }, { "NumberOfNeighbors", 100 },
     { "NumberOfSectors", 20 }, { "PointsPerRing", 16 }, { "MinimumVectorsPerCone", 20 }, { "VarianceThreshold", 1.6 },
-    { "PlanarityThreshold", 0.25 }, { "CosineCorrection", 1 }, { "Expansion", 0 }, { "ExpansionFraction", 1 },
+    { "PlanarityThreshold", 0 }, { "CosineCorrection", 1 }, { "Expansion", 0 }, { "ExpansionFraction", 1 },
     { "Overlap", 0 } };
   for (const auto& [name, value] : parameters)
   {
@@ -193,7 +193,7 @@ TEST(ConeSetFilter, TakesVectorsOfAnotherTracer)
   filter->Update();
   ASSERT_GT(filter->GetOutput()->GetNumberOfPoints(), 5);
   EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("OccluderId")->GetRange()[1], 0.0);
-  // The light is then the sphere around the emission points: InnerHalfAngle changes little, the cones not at all.
+  // The light is then the sphere around the emission points: InnerHalfAngle changes a little, the cones not at all.
   vtkNew<vtkConeSetFilter> reference;
   reference->SetInputData(full);
   reference->Update();
@@ -205,8 +205,11 @@ TEST(ConeSetFilter, TakesVectorsOfAnotherTracer)
       EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(i),
         reference->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(i));
     }
-    EXPECT_NEAR(filter->GetOutput()->GetPointData()->GetArray("InnerHalfAngle")->GetTuple1(i),
-      reference->GetOutput()->GetPointData()->GetArray("InnerHalfAngle")->GetTuple1(i), 0.02);
+    // The sphere around a disc is seen under a slightly larger angle, never a smaller one.
+    const double wider = reference->GetOutput()->GetPointData()->GetArray("InnerHalfAngle")->GetTuple1(i) -
+      filter->GetOutput()->GetPointData()->GetArray("InnerHalfAngle")->GetTuple1(i);
+    EXPECT_GE(wider, -2e-3); // emission points do not quite reach the rim
+    EXPECT_LT(wider, 0.05);
   }
 }
 
@@ -252,7 +255,7 @@ TEST(ConeSetFilter, ParametersChangeWhatTheySay)
   std::ostringstream text;
   filter->Print(text);
   for (const char* line : { "Tuning: Manual", "NumberOfNeighbors: 50", "NumberOfSectors: 20", "PointsPerRing: 16",
-         "MinimumVectorsPerCone: 20", "VarianceThreshold: 1.6", "PlanarityThreshold: 0.25", "CosineCorrection: on",
+         "MinimumVectorsPerCone: 20", "VarianceThreshold: 1.6", "PlanarityThreshold: 0", "CosineCorrection: on",
          "Expansion: MaximumDeviation", "ExpansionFraction: 1", "Overlap: off" })
   {
     EXPECT_SAYS(text.str(), line);

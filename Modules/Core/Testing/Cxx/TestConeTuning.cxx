@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scConeTuning.h"
+
+#include "scConeIntervals.h"
+#include "scRandom.h"
+#include "scShadowVectors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+using namespace shadowcones;
+
+namespace
+{
+
+/// A slatted sheet under a disc light: seven strips of 0.2 x 2 with gaps of 0.1, one unit below the light.
+class TunedSlats : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    for (int strip = 0; strip < 7; ++strip)
+    {
+      const double x = -1.0 + 0.3 * strip;
+      const vtkIdType first = static_cast<vtkIdType>(this->Points.size() / 3);
+      for (const double corner : { 0.0, 0.2 })
+      {
+        this->Points.insert(this->Points.end(), { x + corner, 0.0, -1.0, x + corner, 0.0, 1.0 });
+      }
+      this->Triangles.insert(
+        this->Triangles.end(), { first, first + 1, first + 3, first, first + 3, first + 2 });
+      this->Ids.insert(this->Ids.end(), { strip, strip });
+    }
+    this->Source.Shape = LightShape::Disc;
+    this->Source.Center = { 0.0, 2.0, 0.0 };
+    this->Source.Normal = { 0.0, -1.0, 0.0 };
+    this->Source.Radius = 0.3;
+    this->Source.Spectrum = { 1.0 };
+    ASSERT_EQ(PrepareLight(this->Source), nullptr);
+
+    TriangleMeshView mesh;
+    mesh.Points = this->Points.data();
+    mesh.NumberOfPoints = static_cast<vtkIdType>(this->Points.size() / 3);
+    mesh.Triangles = this->Triangles.data();
+    mesh.NumberOfTriangles = static_cast<vtkIdType>(this->Triangles.size() / 3);
+    mesh.OccluderIds = this->Ids.data();
+    this->Scene = std::make_unique<OccluderScene>(mesh);
+    ShadowVectorOptions options;
+    options.TargetNumberOfVectors = 4000;
+    ASSERT_TRUE(TraceShadowVectors(*this->Scene, this->Source, options, {}, this->Traced));
+
+    this->Vectors.Count = static_cast<vtkIdType>(this->Traced.Vectors.OccluderIds.size());
+    this->Vectors.Points = this->Traced.Vectors.Points.data();
+    this->Vectors.Directions = this->Traced.Vectors.Directions.data();
+    this->Vectors.EmissionPoints = this->Traced.Vectors.EmissionPoints.data();
+    this->Paths.Count = static_cast<vtkIdType>(this->Traced.Paths.States.size());
+    this->Paths.Points = this->Traced.Paths.Points.data();
+    this->Paths.EmissionPoints = this->Traced.Paths.EmissionPoints.data();
+    this->Paths.Directions = this->Traced.Paths.Directions.data();
+    this->Paths.States = this->Traced.Paths.States.data();
+    this->Extent = LightExtentOf(this->Source);
+  }
+
+  /// Shares of the blocked and of the lit light of a box below the slats that lie inside the cones.
+  std::pair<double, double> SharesInside(const std::vector<Cone>& cones) const
+  {
+    Box bounds;
+    bounds.Add(Vector3{ -1.5, -2.0, -1.5 });
+    bounds.Add(Vector3{ 1.5, -0.01, 1.5 });
+    const ConeHierarchy hierarchy(cones, bounds);
+    double counts[2][2] = {};
+    for (int i = 0; i < 20000; ++i)
+    {
+      RandomStream random(99, static_cast<std::uint64_t>(i));
+      const Vector3 x{ 3.0 * random.Next() - 1.5, -0.01 - 1.99 * random.Next(), 3.0 * random.Next() - 1.5 };
+      const double u = random.Next();
+      const IncidentSample sample = SampleVisibleLight(this->Source, x, u, random.Next());
+      const bool blocked = this->Scene->Occluded(x, sample.Direction, 0.0, sample.Distance);
+      counts[blocked][hierarchy.Contains(x)] += 1.0;
+    }
+    return { counts[1][1] / (counts[1][0] + counts[1][1]), counts[0][1] / (counts[0][0] + counts[0][1]) };
+  }
+
+  ConeSet FitTuned(const ConeTuningResult& tuned) const
+  {
+    ConeSet set;
+    EXPECT_TRUE(FitConeSet(this->Vectors, {}, this->Extent, tuned.Options, {}, set));
+    return set;
+  }
+
+  std::vector<double> Points;
+  std::vector<vtkIdType> Triangles;
+  std::vector<int> Ids;
+  Light Source;
+  std::unique_ptr<OccluderScene> Scene;
+  ShadowVectorResult Traced;
+  ShadowVectorView Vectors;
+  PhotonPathView Paths;
+  LightExtent Extent;
+};
+
+} // anonymous namespace
+
+TEST_F(TunedSlats, ConservativeConesHoldTheBlockedLight)
+{
+  ConeTuningResult tuned;
+  ASSERT_TRUE(TuneConeSet(this->Vectors, this->Paths, this->Extent, ConeTuning::Conservative, {}, {}, tuned));
+  EXPECT_LE(tuned.Objective, tuned.StartObjective);
+  EXPECT_EQ(tuned.Options.Expansion, ConeExpansion::LightGeometry);
+  EXPECT_TRUE(tuned.Options.Overlap);
+  EXPECT_GE(this->SharesInside(this->FitTuned(tuned).Cones).first, 0.995);
+}
+
+TEST_F(TunedSlats, PreviewBalancesLostAndLeakedLight)
+{
+  ConeTuningResult tuned;
+  ASSERT_TRUE(TuneConeSet(this->Vectors, this->Paths, this->Extent, ConeTuning::Preview, {}, {}, tuned));
+  EXPECT_GT(tuned.Options.ExpansionFraction, 0.0);
+  EXPECT_LT(tuned.Options.ExpansionFraction, 1.0);
+  EXPECT_NEAR(tuned.Lost, tuned.Leak, 0.1 * tuned.Leak + 0.01);
+  // Full angles lose far more lit light than the balanced ones.
+  ConeTuningResult full = tuned;
+  full.Options.ExpansionFraction = 1.0;
+  EXPECT_GT(
+    this->SharesInside(this->FitTuned(full).Cones).second, 1.2 * this->SharesInside(this->FitTuned(tuned).Cones).second);
+}
+
+TEST_F(TunedSlats, SoftBalancesCaughtAndMissedPaths)
+{
+  ConeTuningResult tuned;
+  ASSERT_TRUE(TuneConeSet(this->Vectors, this->Paths, this->Extent, ConeTuning::Soft, {}, {}, tuned));
+  EXPECT_NEAR(tuned.Lost, tuned.Leak, 0.02);
+  EXPECT_GT(tuned.Options.RadiusScale, 0.3);
+  EXPECT_LT(tuned.Options.RadiusScale, 2.0);
+  EXPECT_LT(tuned.Objective, 0.5);
+  EXPECT_FALSE(tuned.Options.CosineCorrection);
+}
+
+TEST_F(TunedSlats, ChoiceIsNearTheBestOfRandomSets)
+{
+  for (const ConeTuning kind : { ConeTuning::Conservative, ConeTuning::Preview, ConeTuning::Soft })
+  {
+    ConeTuningResult tuned;
+    ASSERT_TRUE(TuneConeSet(this->Vectors, this->Paths, this->Extent, kind, {}, {}, tuned));
+    std::vector<double> objectives;
+    for (int i = 0; i < 24; ++i)
+    {
+      RandomStream random(7, static_cast<std::uint64_t>(i));
+      ConeSetOptions options = tuned.Options;
+      options.NumberOfNeighbors = 20 + static_cast<int>(180.0 * random.Next());
+      options.PointsPerRing = 6 + static_cast<int>(18.0 * random.Next());
+      options.MinimumVectorsPerCone = std::min(options.NumberOfNeighbors, 5 + static_cast<int>(25.0 * random.Next()));
+      options.VarianceThreshold = 1.1 + 1.5 * random.Next();
+      ConeTuningResult measured;
+      ASSERT_TRUE(MeasureTuning(this->Vectors, this->Paths, this->Extent, kind, options, {}, measured));
+      objectives.push_back(measured.Objective);
+    }
+    std::sort(objectives.begin(), objectives.end());
+    EXPECT_LE(tuned.Objective, 1.3 * objectives.front()) << "kind " << static_cast<int>(kind);
+    EXPECT_LT(tuned.Objective, 0.9 * objectives[objectives.size() / 2]) << "kind " << static_cast<int>(kind);
+  }
+}
+
+TEST_F(TunedSlats, HeldOutPathsOfOneKindAreRefused)
+{
+  std::vector<int> allLit(this->Traced.Paths.States.size(), 0);
+  PhotonPathView lit = this->Paths;
+  lit.States = allLit.data();
+  ConeTuningResult tuned;
+  EXPECT_THROW(
+    TuneConeSet(this->Vectors, lit, this->Extent, ConeTuning::Conservative, {}, {}, tuned), std::invalid_argument);
+}
+
+TEST_F(TunedSlats, AbortsAndReportsProgress)
+{
+  int calls = 0;
+  Monitor monitor;
+  monitor.Progress = [&](double share) {
+    ++calls;
+    EXPECT_LE(share, 1.0);
+  };
+  monitor.Aborted = [&]() { return calls > 2; };
+  ConeTuningResult tuned;
+  EXPECT_FALSE(TuneConeSet(this->Vectors, this->Paths, this->Extent, ConeTuning::Conservative, {}, monitor, tuned));
+  EXPECT_EQ(calls, 3);
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Closed forms 1 and 2 as solids: volumes of penumbra and umbra behind a disc and a sphere, through the chain of filters.
+#include "TestMeshes.h"
+
+#include "vtkAreaLightSource.h"
+#include "vtkConeSetFilter.h"
+#include "vtkLabelOccluders.h"
+#include "vtkShadowVectorFilter.h"
+#include "vtkShadowVolume.h"
+
+#include "vtkCellArray.h"
+#include "vtkMassProperties.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+using namespace shadowcones;
+
+namespace
+{
+constexpr double PenumbraTolerance = 0.05;
+constexpr double UmbraTolerance = 0.10;
+
+double Frustum(double height, double r0, double r1)
+{
+  return closedforms::Pi * height / 3.0 * (r0 * r0 + r0 * r1 + r1 * r1);
+}
+
+struct Volumes
+{
+  double Penumbra = 0.0;
+  double Umbra = 0.0;
+};
+
+double VolumeOf(vtkPolyData* surface)
+{
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(surface);
+  mass->Update();
+  return mass->GetVolume();
+}
+
+/// Volumes from z0 to z1, of cones that are bounds: 20,000 vectors, few and large cones.
+Volumes MeasuredVolumes(const TestMesh& mesh, vtkAreaLightSource* light, double z0, double z1, int seed)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (std::size_t k = 0; k < mesh.Points.size(); k += 3)
+  {
+    points->InsertNextPoint(mesh.Points.data() + k);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (std::size_t k = 0; k < mesh.Triangles.size(); k += 3)
+  {
+    triangles->InsertNextCell(3, mesh.Triangles.data() + k);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  vtkNew<vtkLabelOccluders> occluders;
+  occluders->SetInputData(data);
+  vtkNew<vtkShadowVectorFilter> vectors;
+  vectors->SetInputConnection(occluders->GetOutputPort());
+  vectors->SetLightConnection(light->GetOutputPort());
+  vectors->SetTargetNumberOfVectors(20000);
+  vectors->SetSeed(seed);
+  vtkNew<vtkConeSetFilter> cones;
+  cones->SetInputConnection(vectors->GetOutputPort(0));
+  cones->SetNumberOfNeighbors(10000);
+  cones->SetPointsPerRing(100);
+  cones->SetVarianceThreshold(2.0);
+  cones->SetPlanarityThreshold(0.0);
+  cones->SetExpansionToLightGeometry();
+  cones->SetOverlap(true);
+  vtkNew<vtkShadowVolume> solids;
+  solids->SetInputConnection(cones->GetOutputPort());
+  solids->SetBounds(-50.0, 50.0, -50.0, 50.0, z0, z1);
+  solids->SetResolution(48);
+  solids->SetUmbraToBaseDiscs();
+  solids->Update();
+  return { VolumeOf(solids->GetOutput(0)), VolumeOf(solids->GetOutput(1)) };
+}
+} // namespace
+
+TEST(ShadowVolumes, DiscBehindDisc)
+{
+  const double L = 2.0;
+  const double height = 1.5;
+  for (const auto& radii : { std::array<double, 2>{ 0.5, 0.3 }, { 0.2, 0.5 } })
+  {
+    const double R = radii[0];
+    const double r = radii[1];
+    TestMesh mesh;
+    mesh.AddDisc({ 0.0, 0.0, L }, r);
+    vtkNew<vtkAreaLightSource> light;
+    light->SetRadius(R);
+    for (const int seed : { 1, 2 })
+    {
+      const Volumes volumes = MeasuredVolumes(mesh, light, L, L + height, seed);
+      const double penumbra = Frustum(height, r, closedforms::DiscPenumbraRadius(R, r, L, L + height));
+      EXPECT_NEAR(volumes.Penumbra / penumbra, 1.0, PenumbraTolerance) << R << " " << seed;
+      const double tip = R > r ? std::min(height, closedforms::DiscUmbraLength(R, r, L)) : height;
+      const double umbra = Frustum(tip, r, closedforms::DiscUmbraRadius(R, r, L, L + tip));
+      EXPECT_NEAR(volumes.Umbra / umbra, 1.0, UmbraTolerance) << R << " " << seed;
+    }
+  }
+}
+
+TEST(ShadowVolumes, SphereBehindSphere)
+{
+  const double R = 0.3;
+  const double r = 0.5;
+  const double D = 5.0;
+  const double z0 = D + r;
+  const double z1 = z0 + 2.0;
+  TestMesh mesh;
+  mesh.AddSphere({ 0.0, 0.0, D }, r);
+  vtkNew<vtkAreaLightSource> light;
+  light->SetShapeToSphere();
+  light->SetRadius(R);
+  for (const int seed : { 1, 2 })
+  {
+    const Volumes volumes = MeasuredVolumes(mesh, light, z0, z1, seed);
+    const double outer = std::tan(closedforms::SpherePenumbraHalfAngle(R, r, D));
+    const double outerApex = R * D / (R + r); // the cones' tips, seen from the light
+    EXPECT_NEAR(volumes.Penumbra / Frustum(z1 - z0, (z0 - outerApex) * outer, (z1 - outerApex) * outer), 1.0,
+      PenumbraTolerance)
+      << seed;
+    const double inner = std::tan(-closedforms::SphereUmbraHalfAngle(R, r, D));
+    const double innerApex = -R * D / (r - R);
+    EXPECT_NEAR(
+      volumes.Umbra / Frustum(z1 - z0, (z0 - innerApex) * inner, (z1 - innerApex) * inner), 1.0, UmbraTolerance)
+      << seed;
+  }
+}

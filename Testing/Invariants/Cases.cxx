@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cases.h"
+
+#include "scAdapters.h"
+#include "vtkAreaLightSource.h"
+#include "vtkConeSetFilter.h"
+#include "vtkConeSetGeometry.h"
+#include "vtkLabelOccluders.h"
+#include "vtkScatteringImageFilter.h"
+#include "vtkShadowVectorFilter.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCamera.h"
+#include "vtkNew.h"
+#include "vtkSphereSource.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <cmath>
+#include <map>
+
+namespace invariants
+{
+namespace
+{
+
+/// Copy of an output, without its pipeline.
+vtkSmartPointer<vtkPolyData> Take(vtkAlgorithm* filter, int port = 0)
+{
+  filter->Update();
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(filter->GetOutputDataObject(port));
+  return copy;
+}
+
+/// The chair with its labels, in the room whose walls receive.
+vtkPolyData* Room()
+{
+  static const vtkSmartPointer<vtkPolyData> room = [] {
+    vtkNew<vtkAppendPolyData> append;
+    const auto chair = LabelledMesh(ReadData("chair.vtp"));
+    const auto walls = ReadData("cornell-box.vtp");
+    append->AddInputData(chair);
+    append->AddInputData(walls);
+    return Take(append);
+  }();
+  return room;
+}
+
+vtkPolyData* Lamp()
+{
+  static const vtkSmartPointer<vtkPolyData> lamp = RoomLamp();
+  return lamp;
+}
+
+/// Shadow vectors (output 0) and photon paths (output 1) in the room.
+vtkPolyData* Vectors(vtkIdType target, int output)
+{
+  static std::map<std::pair<vtkIdType, int>, vtkSmartPointer<vtkPolyData>> made;
+  auto& data = made[{ target, output }];
+  if (!data)
+  {
+    vtkNew<vtkShadowVectorFilter> filter;
+    filter->SetInputData(Room());
+    filter->SetLightData(Lamp());
+    filter->SetTargetNumberOfVectors(target);
+    data = Take(filter, output);
+  }
+  return data;
+}
+
+vtkPolyData* Cones()
+{
+  static const vtkSmartPointer<vtkPolyData> cones = [] {
+    vtkNew<vtkConeSetFilter> filter;
+    filter->SetInputData(Vectors(3000, 0));
+    filter->SetOverlap(true);
+    filter->SetExpansionToLightGeometry();
+    return Take(filter);
+  }();
+  return cones;
+}
+
+/// More cones than any scene has.
+vtkSmartPointer<vtkPolyData> ManyCones(int count)
+{
+  std::vector<shadowcones::Cone> cones(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i)
+  {
+    shadowcones::Cone& cone = cones[static_cast<std::size_t>(i)];
+    cone.Center = { 0.1 * (i % 100), 0.1 * (i / 100 % 100), 0.1 * (i / 10000) };
+    cone.Axis = shadowcones::Normalized({ 0.2 * std::sin(i), 0.2 * std::cos(i), -1.0 });
+    cone.Normal = cone.Axis;
+    cone.BaseRadius = 0.05;
+    cone.HalfAngle = 0.1 * std::sin(0.1 * i);
+    cone.OccluderId = i % 7;
+  }
+  auto set = vtkSmartPointer<vtkPolyData>::New();
+  shadowcones::WriteConeSet(cones, set);
+  return set;
+}
+
+Setting AreaLight(Size)
+{
+  auto source = vtkSmartPointer<vtkAreaLightSource>::New();
+  source->SetShapeToSphere();
+  return { source, {} };
+}
+
+Setting LabelOccluders(Size size)
+{
+  auto filter = vtkSmartPointer<vtkLabelOccluders>::New();
+  if (size == Size::Small)
+  {
+    return { filter, { { 0, ReadData("tree.vtp") } } };
+  }
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(700);
+  sphere->SetPhiResolution(700);
+  return { filter, { { 0, Take(sphere) } } };
+}
+
+Setting ShadowVectors(Size size, bool target, bool hitPoint)
+{
+  auto filter = vtkSmartPointer<vtkShadowVectorFilter>::New();
+  filter->SetStorage(hitPoint ? vtkShadowVectorFilter::HIT_POINT : vtkShadowVectorFilter::BACK_SIDE);
+  const vtkIdType count = size == Size::Small ? 20000 : 1000000;
+  filter->SetNumberOfPhotons(count);
+  filter->SetTargetNumberOfVectors(target ? count / 10 : 0);
+  return { filter, { { 0, Room() }, { 1, Lamp() } } };
+}
+
+Setting ConeSet(Size size, bool overlap, bool paths)
+{
+  auto filter = vtkSmartPointer<vtkConeSetFilter>::New();
+  filter->SetOverlap(overlap);
+  const vtkIdType count = size == Size::Small ? 3000 : 60000;
+  Setting setting{ filter, { { 0, Vectors(count, 0) } } };
+  if (paths)
+  {
+    setting.Inputs.emplace_back(1, Vectors(count, 1));
+  }
+  return setting;
+}
+
+Setting ConeSetGeometry(Size size)
+{
+  auto filter = vtkSmartPointer<vtkConeSetGeometry>::New();
+  return { filter, { { 0, ManyCones(size == Size::Small ? 5000 : 150000) } } };
+}
+
+Setting ScatteringImage(Size size, int mode)
+{
+  auto filter = vtkSmartPointer<vtkScatteringImageFilter>::New();
+  filter->SetMode(mode);
+  const int pixels = size == Size::Small ? 36 : 600;
+  filter->SetResolution(pixels, pixels - 3);
+  filter->SetSigmaS(0.12);
+  filter->SetMediumBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0.0, 2.75, 12.5);
+  camera->SetFocalPoint(0.0, 2.75, 0.0);
+  camera->SetViewAngle(32.0);
+  filter->SetCamera(camera);
+  Setting setting{ filter, { { 0, Room() }, { 1, Lamp() } } };
+  if (mode != vtkScatteringImageFilter::BruteForce)
+  {
+    setting.Inputs.emplace_back(2, Cones());
+  }
+  return setting;
+}
+
+} // namespace
+
+void Setting::Connect()
+{
+  for (const auto& [port, data] : this->Inputs)
+  {
+    this->Filter->SetInputDataObject(port, data);
+  }
+}
+
+const std::vector<Case>& AllCases()
+{
+  static const std::vector<Case> cases = {
+    { "AreaLight", AreaLight, false, false },
+    { "LabelOccluders", LabelOccluders },
+    { "ShadowVectorsOfPhotons", [](Size size) { return ShadowVectors(size, false, false); } },
+    { "ShadowVectorsToATarget", [](Size size) { return ShadowVectors(size, true, true); } },
+    { "ConeSet", [](Size size) { return ConeSet(size, false, true); } },
+    { "ConeSetOverlap", [](Size size) { return ConeSet(size, true, false); } },
+    { "ConeSetGeometry", ConeSetGeometry },
+    { "ScatteringBruteForce", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::BruteForce); } },
+    { "ScatteringMedium", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Medium); } },
+    { "ScatteringFast", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Fast); } },
+  };
+  return cases;
+}
+
+vtkSmartPointer<vtkPolyData> ReadData(const std::string& name)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName((std::string(SHADOWCONES_DATA_DIR) + "/" + name).c_str());
+  return Take(reader);
+}
+
+vtkSmartPointer<vtkPolyData> LabelledMesh(vtkPolyData* input)
+{
+  vtkNew<vtkLabelOccluders> labels;
+  labels->SetInputData(input);
+  return Take(labels);
+}
+
+vtkSmartPointer<vtkPolyData> RoomLamp(double scale, double offset)
+{
+  vtkNew<vtkAreaLightSource> light;
+  light->SetShapeToDisc();
+  light->SetCenter(offset, 5.49 * scale + offset, offset);
+  light->SetNormal(0.0, -1.0, 0.0);
+  light->SetRadius(0.5 * scale);
+  light->SetRadiance(60.0);
+  return Take(light);
+}
+
+} // namespace invariants
