@@ -35,9 +35,11 @@ def parser(description, size, vectors=None):
     result = argparse.ArgumentParser(description=description)
     result.add_argument("--output", default="output", help="folder to write to (default: output)")
     result.add_argument("--data", default=scenes.DATA, help="folder of the meshes (default: Data of this project)")
-    result.add_argument("--size", type=int, default=size, help=f"width and height of a picture, pixels (default: {size})")
+    result.add_argument("--size", type=int, default=size,
+                        help=f"width and height of a picture in pixels (default: {size})")
     if vectors:
-        result.add_argument("--vectors", type=int, default=vectors, help=f"number of shadow vectors (default: {vectors})")
+        result.add_argument("--vectors", type=int, default=vectors,
+                            help=f"number of shadow vectors (default: {vectors})")
     return result
 
 
@@ -97,7 +99,7 @@ def read_mesh(path):
 
 
 def stand_in_room(path, size):
-    """A mesh file, `size` across at its widest, centred on the floor. Meshes of this project are left where they are."""
+    """A mesh file, `size` across at its widest, centred on the floor. Meshes of this project stay where they are."""
     mesh = read_mesh(path)
     if os.path.dirname(os.path.realpath(path)) == os.path.realpath(scenes.DATA):
         return mesh

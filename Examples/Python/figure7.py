@@ -23,7 +23,7 @@ def camera(position, focal_point, view_up, view_angle):
 
 
 def views(model):
-    """Camera and opacity of the mesh: from behind the light, where discs would hide below the mesh, and from the side."""
+    """Camera and opacity of the mesh: from behind the light, where the mesh would hide the discs, and from the side."""
     height = 3.0 if model == "chair" else 4.5
     near = camera((0.0, 8.5, 0.4), (0.0, 0.5 * height, 0.0), (0.0, 0.0, -1.0), 27.0 if model == "chair" else 48.0)
     side = camera((6.5, 0.5 * height + 1.6, 8.0), (0.0, 0.44 * height, 0.0), (0.0, 1.0, 0.0), 13.0 + 4.0 * height)

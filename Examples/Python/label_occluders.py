@@ -19,7 +19,8 @@ COUNTS = ("NumberOfOccluders", "TriangulatedPolygons", "WeldedPoints", "DroppedC
 def default_meshes(data):
     """Two meshes of this project, and the real ones where they are installed."""
     real = [os.path.join(common.REAL_MESHES, name) for name in ("bunny.obj", "horse.3ds", "cat.3ds")]
-    return [os.path.join(data, "chair.vtp"), os.path.join(data, "tree.vtp")] + [path for path in real if os.path.exists(path)]
+    own = [os.path.join(data, name) for name in ("chair.vtp", "tree.vtp")]
+    return own + [path for path in real if os.path.exists(path)]
 
 
 def report(name, output):
@@ -60,8 +61,8 @@ def picture(output, size):
 
 def main():
     options = common.parser(__doc__, size=300)
-    options.add_argument("meshes", nargs="*", help=".vtp, .obj, .ply, .stl or .3ds files (default: chair, tree, and bunny, "
-                         "horse and cat of glmark2-data where installed)")
+    options.add_argument("meshes", nargs="*", help=".vtp, .obj, .ply, .stl or .3ds files (default: chair, tree, and "
+                         "bunny, horse and cat of glmark2-data where installed)")
     arguments = common.parse(options)
     print(f"{'':<14}{'triangles':>10}{''.join(f'{count:>22}' for count in COUNTS)}{'closed':>8}")
     names, pictures = [], []

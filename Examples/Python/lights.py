@@ -91,8 +91,8 @@ def main():
         image.SetNumberOfSurfaceLightSamples(32)
         image.Update()
         spectrum = common.array(light.GetOutput().GetFieldData(), "LightSpectrum")
-        print(f"{name}: {light.GetOutput().GetNumberOfPoints()} points, {len(spectrum)} wavelengths of {spectrum[0]:.1f}",
-              flush=True)
+        print(f"{name}: {light.GetOutput().GetNumberOfPoints()} points, "
+              f"{len(spectrum)} wavelengths of {spectrum[0]:.1f}", flush=True)
         names.append(name)
         pictures.append(common.pixels(image.GetOutput()))
     common.save(common.table([pictures], names), os.path.join(arguments.output, "lights.png"))

@@ -28,7 +28,8 @@ def side_camera():
 
 def main():
     options = common.parser(__doc__, size=256, vectors=5800)
-    options.add_argument("meshes", nargs="*", help=".vtp, .obj, .ply, .stl or .3ds files (default: bunny, horse and cat)")
+    options.add_argument("meshes", nargs="*",
+                         help=".vtp, .obj, .ply, .stl or .3ds files (default: bunny, horse and cat)")
     arguments = common.parse(options)
     light = scenes.ceiling_light()
     names, cone_pictures, shafts = [], [], []

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shadows as solids, cut open by a plane: penumbra blue, umbra dark, of a sheet of paper and of the chair. Needs a display."""
+"""Shadows as solids of a sheet of paper and of the chair, cut open: penumbra blue, umbra dark. Needs a display."""
 
 import os
 
@@ -8,9 +8,8 @@ import common
 import scenes
 import shadowcones as sc
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPlaneCollection
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties, vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeneral import vtkClipClosedSurface
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkRegularPolygonSource
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
@@ -93,12 +92,12 @@ def picture(occluders, solids, size):
     common.add_actor(renderer, occluders.GetOutputPort(), common.GREY, ambient=0.3)
     umbra = cut(solids.GetOutput(1))
     umbra_actor = common.add_actor(renderer, umbra, UMBRA, ambient=0.4)
-    umbra_actor.SetPosition(0.0, 0.0, 0.01)  # in front of the penumbra's cut face
+    umbra_actor.SetPosition(0.0, -0.03, 0.01)  # in front of the penumbra's cut face
     common.add_actor(renderer, cut(solids.GetOutput(0)), PENUMBRA, ambient=0.35)
     camera = vtkCamera()
-    camera.SetPosition(4.5, 4.2, 9.5)
-    camera.SetFocalPoint(0.0, 1.75, -0.6)
-    camera.SetViewAngle(34.0)
+    camera.SetPosition(4.0, 2.9, 9.5)
+    camera.SetFocalPoint(0.1, 1.5, -0.6)
+    camera.SetViewAngle(29.0)
     return common.render(renderer, camera, size)
 
 

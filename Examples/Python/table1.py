@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Seconds, error and occlusion rays of each mode for chair and tree (the paper's table 1, with errors), as Markdown and JSON.
+"""Seconds, error and occlusion rays of each mode for chair and tree (the paper's table 1), as Markdown and JSON.
 
-The work is done by the benchmark program scattering-table: its truth is the reference implementation of Testing/Reference, which
-shares no light rule with any mode. The reference is kept in the output folder from one run to the next.
+The work is done by the benchmark program scattering-table: its truth is the reference implementation of
+Testing/Reference, which shares no light rule with any mode. The reference is kept in the output folder from one run to the next.
 """
 
 import argparse
@@ -34,8 +34,8 @@ def markdown(rows):
     yield "| model | mode | cones | seconds | speed | error | bias | occlusion rays |"
     yield "|---|---|---:|---:|---:|---:|---:|---:|"
     for row in rows:
-        yield (f"| {row['scene']} | {row['mode']} | {row['cones'] or '-'} | {row['seconds']:.2f} | {row['speed']:.2f} | "
-               f"{row['error']:.2%} | {row['bias']:+.2%} | {row['rays']:,} |")
+        yield (f"| {row['scene']} | {row['mode']} | {row['cones'] or '-'} | {row['seconds']:.2f} | "
+               f"{row['speed']:.2f} | {row['error']:.2%} | {row['bias']:+.2%} | {row['rays']:,} |")
 
 
 def main():
@@ -43,8 +43,10 @@ def main():
     options.add_argument("--output", default="output", help="folder to write to (default: output)")
     options.add_argument("--size", type=int, default=256, help="width and height of the images, pixels (default: 256)")
     options.add_argument("--vectors", type=int, default=5800, help="number of shadow vectors (default: 5800)")
-    options.add_argument("--pixels", type=int, default=2048, help="pixels held against the reference (default: 2048)")
-    options.add_argument("--samples", type=int, default=65536, help="samples of the reference a pixel (default: 65536)")
+    options.add_argument("--pixels", type=int, default=2048,
+                         help="pixels held against the reference (default: 2048)")
+    options.add_argument("--samples", type=int, default=65536,
+                         help="samples of the reference a pixel (default: 65536)")
     options.add_argument("--light-samples", type=int, default=16, help="light points a march sample (default: 16)")
     options.add_argument("--threads", type=int, default=1, help="threads for the images (default: 1)")
     options.add_argument("--repeats", type=int, default=3, help="the best time of so many runs (default: 3)")
@@ -52,8 +54,8 @@ def main():
     arguments = options.parse_args()
     os.makedirs(arguments.output, exist_ok=True)
     if not os.access(arguments.program, os.X_OK):
-        raise SystemExit(f"There is no program {arguments.program}: build the target scattering-table (it needs libcli11-dev), "
-                         "or name it with --program")
+        raise SystemExit(f"There is no program {arguments.program}: build the target scattering-table (it needs "
+                         "libcli11-dev), or name it with --program")
 
     command = [arguments.program, "--cache", arguments.output]
     for name in ("size", "vectors", "pixels", "samples", "light_samples", "threads", "repeats"):
@@ -72,9 +74,10 @@ def main():
 
     table = "\n".join(markdown(rows))
     print("\n" + table)
-    for name, content in (("table1.md", table + "\n\n" + "\n".join(notes)), ("table1.json", json.dumps(
-            {"options": {key: value for key, value in vars(arguments).items() if key not in ("output", "program")},
-             "notes": notes, "rows": rows}, indent=2))):
+    used = {key: value for key, value in vars(arguments).items() if key not in ("output", "program")}
+    contents = {"table1.md": table + "\n\n" + "\n".join(notes),
+                "table1.json": json.dumps({"options": used, "notes": notes, "rows": rows}, indent=2)}
+    for name, content in contents.items():
         with open(os.path.join(arguments.output, name), "w", encoding="utf-8") as file:
             file.write(content + "\n")
         print(f"wrote {os.path.join(arguments.output, name)}")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scConeAccuracy.h
- * @brief How far a cone set, or any other prediction of shadow, is to be trusted: held against the mesh at sample points.
+ * @brief How far a cone set, or another prediction of shadow, is to be trusted: held against the mesh at sample points.
  *
  * Four steps: DrawSamplePoints, MeasureTruth by rays, ClassifyByCones (or another classifier), TallyAccuracy.
  */
@@ -21,7 +21,7 @@
 namespace shadowcones
 {
 
-/// Points that fill the box evenly, an Owen-scrambled Sobol sequence; none in an empty box. @return false where aborted.
+/// Points that fill the box evenly, an Owen-scrambled Sobol sequence; none in an empty box. @return false if aborted.
 SHADOWCONESCORE_EXPORT bool DrawSamplePoints(
   const Box& bounds, vtkIdType count, std::uint64_t seed, const Monitor& monitor, std::vector<Vector3>& points);
 
@@ -44,8 +44,9 @@ struct SampleTruth
 };
 
 /**
- * Look from each point to @p lightSamples points of the light, stratified and turned from point to point: a pure function of
- * the seed and the point's index. Every triangle blocks: leave receivers out of the scene. @return false where aborted.
+ * Look from each point to @p lightSamples points of the light, stratified and turned from point to point: a pure
+ * function of the seed and the point's index. Every triangle blocks: leave receivers out of the scene.
+ * @return false where aborted.
  */
 SHADOWCONESCORE_EXPORT bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene,
   const Light& light, int lightSamples, std::uint64_t seed, const Monitor& monitor, std::vector<SampleTruth>& truth);
@@ -91,8 +92,8 @@ struct RatioSums
 };
 
 /**
- * Sum of y over sum of x where 0 <= y <= x in each sample. Wilson's interval for as many samples as give a proportion the
- * standard error of the ratio estimate (Cochran 1977, section 6.4); at the values 0 and 1, whose estimate is 0, for
+ * Sum of y over sum of x where 0 <= y <= x in each sample. Wilson's interval for as many samples as give a proportion
+ * the standard error of the ratio estimate (Cochran 1977, section 6.4); at the values 0 and 1, whose estimate is 0, for
  * (sum x)^2 / sum x^2 samples (Kish 1965).
  */
 SHADOWCONESCORE_EXPORT Estimate EstimateShare(const RatioSums& sums);
@@ -164,8 +165,8 @@ struct ConeTally
 };
 
 /**
- * Predict by cones: inside any cone is shadow, inside the inner cone of one that holds the point is umbra. @p tallies receives
- * one entry a cone; @p truth, one a point. Cost: one query of a tree a point. @return false where aborted.
+ * Predict by cones: inside any cone is shadow, inside the inner cone of one that holds the point is umbra. @p truth has
+ * one entry a point, @p tallies receives one a cone. Cost: one query of a tree a point. @return false where aborted.
  */
 SHADOWCONESCORE_EXPORT bool ClassifyByCones(const std::vector<Vector3>& points, const std::vector<SampleTruth>& truth,
   const std::vector<Cone>& cones, const Monitor& monitor, std::vector<SamplePrediction>& predictions,

@@ -15,7 +15,8 @@ constexpr int coarseBlocks = 8;
 /// Where the disc of a body ends along an axis.
 Vector3 DiscExtent(const Vector3& axis, double radius)
 {
-  return { radius * std::sqrt(std::max(0.0, 1.0 - axis.X * axis.X)), radius * std::sqrt(std::max(0.0, 1.0 - axis.Y * axis.Y)),
+  return { radius * std::sqrt(std::max(0.0, 1.0 - axis.X * axis.X)),
+    radius * std::sqrt(std::max(0.0, 1.0 - axis.Y * axis.Y)),
     radius * std::sqrt(std::max(0.0, 1.0 - axis.Z * axis.Z)) };
 }
 
@@ -110,8 +111,7 @@ double ConeField::DistanceTo(const Body& body, const Vector3& point)
   const double sideH = h - along * body.Side.Y;
   const double baseR = std::max(0.0, fromRim);
   const double endR = std::max(0.0, r - body.EndRadius);
-  return std::sqrt(
-    std::min({ sideR * sideR + sideH * sideH, baseR * baseR + h * h, endR * endR + above * above }));
+  return std::sqrt(std::min({ sideR * sideR + sideH * sideH, baseR * baseR + h * h, endR * endR + above * above }));
 }
 
 double ConeField::Clip(const Vector3& point, double distance) const
@@ -198,14 +198,16 @@ void ConeField::SampleBlock(
     this->SampleBlock(grid, second, near, values);
     return;
   }
-  block.ForEachPoint(grid, [&](vtkIdType id, const Vector3& point) {
-    double distance = HUGE_VAL;
-    for (const int body : near)
+  block.ForEachPoint(grid,
+    [&](vtkIdType id, const Vector3& point)
     {
-      distance = std::min(distance, DistanceTo(this->Bodies[body], point));
-    }
-    values[id] = static_cast<float>(this->Clip(point, distance));
-  });
+      double distance = HUGE_VAL;
+      for (const int body : near)
+      {
+        distance = std::min(distance, DistanceTo(this->Bodies[body], point));
+      }
+      values[id] = static_cast<float>(this->Clip(point, distance));
+    });
 }
 
 bool ConeField::Sample(const FieldGrid& grid, const Monitor& monitor, float* values) const
@@ -221,19 +223,21 @@ bool ConeField::Sample(const FieldGrid& grid, const Monitor& monitor, float* val
     blocks[axis] = std::clamp(grid.Dimensions[axis] / leafSide, 1, coarseBlocks);
   }
   const vtkIdType count = static_cast<vtkIdType>(blocks[0]) * blocks[1] * blocks[2];
-  return ParallelFor(count, monitor, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType b = begin; b < end; ++b)
+  return ParallelFor(count, monitor,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const vtkIdType index[3] = { b % blocks[0], b / blocks[0] % blocks[1], b / blocks[0] / blocks[1] };
-      Block block;
-      for (int axis = 0; axis < 3; ++axis)
+      for (vtkIdType b = begin; b < end; ++b)
       {
-        block.Begin[axis] = static_cast<int>(PieceBound(grid.Dimensions[axis], index[axis], blocks[axis]));
-        block.End[axis] = static_cast<int>(PieceBound(grid.Dimensions[axis], index[axis] + 1, blocks[axis]));
+        const vtkIdType index[3] = { b % blocks[0], b / blocks[0] % blocks[1], b / blocks[0] / blocks[1] };
+        Block block;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          block.Begin[axis] = static_cast<int>(PieceBound(grid.Dimensions[axis], index[axis], blocks[axis]));
+          block.End[axis] = static_cast<int>(PieceBound(grid.Dimensions[axis], index[axis] + 1, blocks[axis]));
+        }
+        this->SampleBlock(grid, block, all, values);
       }
-      this->SampleBlock(grid, block, all, values);
-    }
-  });
+    });
 }
 
 } // namespace shadowcones

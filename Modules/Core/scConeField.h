@@ -42,22 +42,24 @@ struct FieldGrid
 };
 
 /**
- * Points at the centres of the cells of a box, @p resolution cells along its longest side and as many of nearly that size along
- * the others, and one layer of points around it: a field that is clipped to the box changes sign exactly at its faces.
+ * Points at the centres of the cells of a box, @p resolution cells along its longest side and as many of nearly that
+ * size along the others, and one layer of points around it: a field that is clipped to the box changes sign exactly at
+ * its faces.
  */
 SHADOWCONESCORE_EXPORT FieldGrid GridOver(const Box& box, int resolution);
 
 /**
- * Signed distance to the union of truncated cones inside a box, negative inside. Outside of every cone and inside the box it is
- * the distance to the nearest one; inside the union its size is at most the distance to the surface. It changes by at most the
- * distance between two points (Lipschitz constant 1), hence a value tells how far around it no surface can be.
+ * Signed distance to the union of truncated cones inside a box, negative inside. Outside of every cone and inside the
+ * box it is the distance to the nearest one; inside the union its size is at most the distance to the surface. It
+ * changes by at most the distance between two points (Lipschitz constant 1), hence a value tells how far around it no
+ * surface can be.
  */
 class SHADOWCONESCORE_EXPORT ConeField
 {
 public:
   /**
-   * Cones are cut at @p length from their base, at their tip, and where they leave @p bounds (an empty box: nowhere; the length
-   * must then be finite). Cones without volume are left out.
+   * Cones are cut at @p length from their base, at their tip, and where they leave @p bounds (an empty box: nowhere;
+   * the length must then be finite). Cones without volume are left out.
    */
   ConeField(const std::vector<Cone>& cones, ConeBound bound, double length, const Box& bounds = {});
 
@@ -68,9 +70,10 @@ public:
   double Distance(const Vector3& point) const;
 
   /**
-   * The field at the points of a grid: @p values receives grid.NumberOfPoints() of them. Wherever two neighbours differ in sign,
-   * and at every point nearer to the surface than a cell's diagonal, the value is that of Distance(); elsewhere its sign is.
-   * Cones that cannot be the nearest of a block of points are left out of it, and blocks far from the surface are filled.
+   * The field at the points of a grid: @p values receives grid.NumberOfPoints() of them. Wherever two neighbours differ
+   * in sign, and at every point nearer to the surface than a cell's diagonal, the value is that of Distance();
+   * elsewhere its sign is. Cones that cannot be the nearest of a block of points are left out of it, and blocks far
+   * from the surface are filled.
    * @return false where aborted.
    */
   bool Sample(const FieldGrid& grid, const Monitor& monitor, float* values) const;

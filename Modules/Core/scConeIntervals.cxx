@@ -96,6 +96,37 @@ bool IntersectSlice(const Cone& cone, double tangent, double low, double high, c
   return true;
 }
 
+/// Keep @p merged sorted and without overlaps while an interval joins it.
+void InsertMerged(std::vector<RayInterval>& merged, RayInterval interval)
+{
+  interval.OccluderId = -1;
+  auto first = merged.begin();
+  while (first != merged.end() && first->End < interval.Begin)
+  {
+    ++first;
+  }
+  auto last = first;
+  while (last != merged.end() && last->Begin <= interval.End)
+  {
+    interval.Begin = std::min(interval.Begin, last->Begin);
+    interval.End = std::max(interval.End, last->End);
+    ++last;
+  }
+  if (first == last)
+  {
+    merged.insert(first, interval);
+    return;
+  }
+  *first = interval;
+  merged.erase(first + 1, last);
+}
+
+bool IsCovered(const std::vector<RayInterval>& merged, double begin, double end)
+{
+  return std::any_of(merged.begin(), merged.end(),
+    [begin, end](const RayInterval& interval) { return interval.Begin <= begin && end <= interval.End; });
+}
+
 double TipHeight(const Cone& cone)
 {
   return cone.HalfAngle < 0.0 ? cone.BaseRadius / std::tan(-cone.HalfAngle) : HUGE_VAL;
@@ -183,29 +214,39 @@ void ConeHierarchy::Intersect(const Vector3& origin, const Vector3& direction, d
   {
     return;
   }
-  this->Impl->Tree.ForEachOnRay(origin, direction, tMin, tMax, [&](const ConeTree::Entry& entry) {
-    RayInterval interval;
-    if (IntersectSlice(this->Impl->Cones[entry.Cone], this->Impl->Tangents[entry.Cone], entry.Low, entry.High, origin,
-          direction, tMin, tMax, interval))
-    {
-      intervals.push_back(interval);
-    }
-  });
-  MergeIntervals(intervals, perOccluder);
+  const auto intersect = [&](const ConeTree::Entry& entry, RayInterval& interval) {
+    return IntersectSlice(this->Impl->Cones[entry.Cone], this->Impl->Tangents[entry.Cone], entry.Low, entry.High, origin,
+      direction, tMin, tMax, interval);
+  };
+  RayInterval interval;
+  if (perOccluder)
+  {
+    this->Impl->Tree.ForEachOnRay(origin, direction, tMin, tMax, [&](const ConeTree::Entry& entry) {
+      if (intersect(entry, interval))
+      {
+        intervals.push_back(interval);
+      }
+    });
+    MergeIntervals(intervals, true);
+    return;
+  }
+  // Cones overlap so much that most of a ray's boxes lie in what is covered already: those need no look.
+  this->Impl->Tree.ForEachOnRay(
+    origin, direction, tMin, tMax,
+    [&](const ConeTree::Entry& entry) {
+      if (intersect(entry, interval))
+      {
+        InsertMerged(intervals, interval);
+      }
+    },
+    [&](double enter, double exit) { return IsCovered(intervals, enter, exit); });
 }
 
 bool ConeHierarchy::Contains(const Vector3& point) const
 {
-  bool inside = false;
-  if (!this->Impl->Bounds.Contains(point))
-  {
-    return false;
-  }
-  this->Impl->Tree.ForEachAtPoint(point, [&](const ConeTree::Entry& entry) {
-    const Cone& cone = this->Impl->Cones[entry.Cone];
-    inside = inside || ConeContains(cone, point, entry.High);
+  return this->Impl->Bounds.Contains(point) && this->Impl->Tree.AnyAtPoint(point, [&](const ConeTree::Entry& entry) {
+    return ConeContains(this->Impl->Cones[entry.Cone], point, entry.High);
   });
-  return inside;
 }
 
 } // namespace shadowcones

@@ -30,18 +30,44 @@ public:
   /// The base discs alone.
   static ConeTree OverBases(const std::vector<Cone>& cones);
 
-  /// Call visit(entry) for every entry whose box the ray meets in [tMin, tMax].
+  /**
+   * Call visit(entry) for every entry whose box the ray meets in [tMin, tMax], unless skip(enter, exit) answers true for the
+   * part of the ray inside its box or a box around it.
+   */
+  template <typename Visitor, typename Skip>
+  void ForEachOnRay(
+    const Vector3& origin, const Vector3& direction, double tMin, double tMax, Visitor&& visit, Skip&& skip) const
+  {
+    const Vector3 inverse{ Inverse(direction.X), Inverse(direction.Y), Inverse(direction.Z) };
+    const auto test = [&](const Box& box) {
+      double enter = tMin;
+      double exit = tMax;
+      return MeetsRay(box, origin, inverse, enter, exit) && !skip(enter, exit);
+    };
+    this->Traverse(test, [&](const Entry& entry) {
+      visit(entry);
+      return false;
+    });
+  }
   template <typename Visitor>
   void ForEachOnRay(const Vector3& origin, const Vector3& direction, double tMin, double tMax, Visitor&& visit) const
   {
-    const Vector3 inverse{ Inverse(direction.X), Inverse(direction.Y), Inverse(direction.Z) };
-    this->Traverse([&](const Box& box) { return MeetsRay(box, origin, inverse, tMin, tMax); }, visit);
+    this->ForEachOnRay(origin, direction, tMin, tMax, visit, [](double, double) { return false; });
   }
   /// Call visit(entry) for every entry whose box holds the point.
   template <typename Visitor>
   void ForEachAtPoint(const Vector3& point, Visitor&& visit) const
   {
-    this->Traverse([&](const Box& box) { return box.Contains(point); }, visit);
+    this->AnyAtPoint(point, [&](const Entry& entry) {
+      visit(entry);
+      return false;
+    });
+  }
+  /// Does accept(entry) answer true for any entry whose box holds the point? Stops at the first.
+  template <typename Predicate>
+  bool AnyAtPoint(const Vector3& point, Predicate&& accept) const
+  {
+    return this->Traverse([&](const Box& box) { return box.Contains(point); }, accept);
   }
 
 private:
@@ -58,7 +84,8 @@ private:
   /// A finite stand-in for 1 / 0: no NaN where a ray runs in the face of a box.
   static double Inverse(double x) { return x != 0.0 ? 1.0 / x : 1e300; }
 
-  static bool MeetsRay(const Box& box, const Vector3& origin, const Vector3& inverse, double tMin, double tMax)
+  /// Cut [tMin, tMax] to the part inside the box.
+  static bool MeetsRay(const Box& box, const Vector3& origin, const Vector3& inverse, double& tMin, double& tMax)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -70,12 +97,13 @@ private:
     return tMin <= tMax;
   }
 
+  /// Stops, and answers true, where visit(entry) does.
   template <typename Test, typename Visitor>
-  void Traverse(Test&& test, Visitor& visit) const
+  bool Traverse(Test&& test, Visitor&& visit) const
   {
     if (this->Nodes.empty())
     {
-      return;
+      return false;
     }
     int stack[64];
     int size = 0;
@@ -96,12 +124,13 @@ private:
       }
       for (int i = node.Right; i < node.Right + node.Count; ++i)
       {
-        if (test(this->Entries[i].Bounds))
+        if (test(this->Entries[i].Bounds) && visit(this->Entries[i]))
         {
-          visit(this->Entries[i]);
+          return true;
         }
       }
     }
+    return false;
   }
 
   std::vector<Entry> Entries;

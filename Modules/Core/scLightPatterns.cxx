@@ -39,7 +39,8 @@ LightPatterns::LightPatterns(const Light& light, int numberOfSamples, std::uint6
   , NumberOfSamples(numberOfSamples)
   , Seed(seed)
 {
-  const int points = light.Shape == LightShape::Point ? 1 : static_cast<int>(std::min<std::size_t>(light.Vertices.size(), 1u << 30));
+  const int points =
+    light.Shape == LightShape::Point ? 1 : static_cast<int>(std::min<std::size_t>(light.Vertices.size(), 1u << 30));
   if (IsPointlike(light) && points <= numberOfSamples)
   {
     this->NumberOfSamples = points;
@@ -74,13 +75,16 @@ void LightPatterns::AddPattern(std::size_t pattern)
   for (std::size_t k = 0; k < this->Stride; ++k)
   {
     const bool padding = k >= static_cast<std::size_t>(this->NumberOfSamples);
-    const std::array<double, 4> uv =
-      this->Exact ? std::array<double, 4>{ (static_cast<double>(k) + 0.5) / this->NumberOfSamples, 0.5, 0.0, 0.0 }
-                  : SobolPoint(seed, static_cast<std::uint32_t>(k));
+    const std::array<double, 4> uv = this->Exact
+      ? std::array<double, 4>{ (static_cast<double>(k) + 0.5) / this->NumberOfSamples, 0.5, 0.0, 0.0 }
+      : SobolPoint(seed, static_cast<std::uint32_t>(k));
     if (light.Shape == LightShape::Sphere)
     {
-      this->As.push_back(padding ? 0.0 : uv[0]);
-      this->Bs.push_back(padding ? 0.0 : uv[1]);
+      Light disc;
+      disc.Radius = 1.0;
+      const Vector3 place = padding ? Vector3{} : SampleLightArea(disc, uv[0], uv[1]).Position;
+      this->As.push_back(Dot(place, FrameAround(disc.Normal).U));
+      this->Bs.push_back(Dot(place, FrameAround(disc.Normal).V));
       continue;
     }
     const LightSurfaceSample sample = padding ? LightSurfaceSample{} : SampleLightArea(light, uv[0], uv[1]);
@@ -103,6 +107,57 @@ std::size_t LightPatterns::PatternOf(const Vector3& point) const
 {
   const std::uint64_t place = Mix64(BitsOf(point.X) + Mix64(BitsOf(point.Y) + Mix64(BitsOf(point.Z))));
   return static_cast<std::size_t>(HashSeed(this->Seed, place) % this->NumberOfPatterns);
+}
+
+bool LightPatterns::IsWholeFrom(const Vector3& point) const
+{
+  const Light& light = this->LightSource;
+  const Vector3 toCenter = light.Center - point;
+  switch (light.Shape)
+  {
+    case LightShape::Disc:
+    case LightShape::Rectangle:
+      return Dot(toCenter, light.Normal) < 0.0;
+    case LightShape::Sphere:
+      return Dot(toCenter, toCenter) > light.Radius * light.Radius;
+    case LightShape::Point:
+    case LightShape::Sun:
+      return true;
+    case LightShape::Mesh:
+      break;
+  }
+  return this->Normals.empty();
+}
+
+void LightPatterns::LookAtSphere(const Vector3& point, std::size_t first, LightView& view) const
+{
+  // Uniform in the cap's solid angle: 1 - cos grows with the square of the place on the unit disc. No digits are lost
+  // in small angles.
+  const Vector3 toCenter = this->LightSource.Center - point;
+  const double distance = Length(toCenter);
+  const double radius = this->LightSource.Radius;
+  if (!(distance > radius))
+  {
+    std::fill(view.Open.begin(), view.Open.end(), 0);
+    return;
+  }
+  const double sine = radius / distance;
+  const double cap = sine * sine / (1.0 + std::sqrt(1.0 - sine * sine));
+  const Vector3 axis = (1.0 / distance) * toCenter;
+  const Frame frame = FrameAround(axis);
+  for (std::size_t k = 0; k < this->Stride; ++k)
+  {
+    const double a = this->As[first + k];
+    const double b = this->Bs[first + k];
+    const double lift = cap * (a * a + b * b);
+    const double across = std::sqrt(cap * (2.0 - lift));
+    const double sineSquared = lift * (2.0 - lift);
+    const double depth = std::sqrt(std::max(radius * radius - distance * distance * sineSquared, 0.0));
+    const double length = distance * (1.0 - lift) - depth;
+    view.X[k] = length * ((1.0 - lift) * axis.X + across * (a * frame.U.X + b * frame.V.X));
+    view.Y[k] = length * ((1.0 - lift) * axis.Y + across * (a * frame.U.Y + b * frame.V.Y));
+    view.Z[k] = length * ((1.0 - lift) * axis.Z + across * (a * frame.U.Z + b * frame.V.Z));
+  }
 }
 
 void LightPatterns::LookFrom(const Vector3& point, LightView& view) const
@@ -139,27 +194,21 @@ void LightPatterns::LookFrom(const Vector3& point, LightView& view) const
     }
     return;
   }
+  if (light.Shape == LightShape::Sphere)
+  {
+    this->LookAtSphere(point, first, view);
+    return;
+  }
   for (std::size_t k = count; k < this->Stride; ++k)
   {
     put(k, {});
   }
   for (std::size_t k = 0; k < count; ++k)
   {
-    bool open = true;
-    if (light.Shape == LightShape::Sphere)
-    {
-      const LightDirectionSample sample =
-        SampleLightSolidAngle(light, point, this->As[first + k], this->Bs[first + k]);
-      open = sample.Density > 0.0;
-      put(k, sample.Distance * sample.Direction);
-    }
-    else
-    {
-      const Vector3& position = this->Positions[first + k];
-      const Vector3 to = light.Shape == LightShape::Sun ? position : position - point;
-      open = this->Normals.empty() || Dot(to, this->Normals[first + k]) < 0.0;
-      put(k, to);
-    }
+    const Vector3& position = this->Positions[first + k];
+    const Vector3 to = light.Shape == LightShape::Sun ? position : position - point;
+    const bool open = this->Normals.empty() || Dot(to, this->Normals[first + k]) < 0.0;
+    put(k, to);
     if (!open)
     {
       view.Open[k / 64] &= ~(std::uint64_t(1) << (k % 64));

@@ -29,8 +29,8 @@ struct LightView
 };
 
 /**
- * Scrambled Sobol patterns, mapped to the light once: uniform by area (Disc, Rectangle, Mesh) or by the solid angle of the
- * visible cap (Sphere, Sun), as SampleVisibleLight. Which pattern a point takes is a pure function of (Seed, its
+ * Scrambled Sobol patterns, mapped to the light once: uniform by area (Disc, Rectangle, Mesh) or by the solid angle of
+ * the visible cap (Sphere, Sun), as SampleVisibleLight. Which pattern a point takes is a pure function of (Seed, its
  * coordinates), so that it does not depend on how a data set is cut into pieces.
  */
 class LightPatterns
@@ -47,11 +47,15 @@ public:
   const Vector3& AxisU() const { return this->U; }
   const Vector3& AxisV() const { return this->V; }
 
+  /// True where all of the light that can be seen from anywhere emits towards the point: no sample needs to be looked
+  /// at.
+  bool IsWholeFrom(const Vector3& point) const;
   void LookFrom(const Vector3& point, LightView& view) const;
 
 private:
   std::size_t PatternOf(const Vector3& point) const;
   void AddPattern(std::size_t pattern);
+  void LookAtSphere(const Vector3& point, std::size_t first, LightView& view) const;
 
   Light LightSource;
   int NumberOfSamples;
@@ -62,7 +66,7 @@ private:
   Vector3 U;
   Vector3 V;
   LightMask Full;
-  std::vector<double> As; ///< Disc, Rectangle: place; Sphere: the two random numbers
+  std::vector<double> As; ///< Disc, Rectangle: place on the light; Sphere: place on the unit disc
   std::vector<double> Bs;
   std::vector<Vector3> Positions; ///< Sun, Mesh, Point
   std::vector<Vector3> Normals;   ///< Mesh with faces

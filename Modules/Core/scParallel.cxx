@@ -31,7 +31,8 @@ bool ParallelFor(
   using Clock = std::chrono::steady_clock;
   constexpr double blockSeconds = 0.05;
 
-  vtkIdType block = std::min<vtkIdType>(count, 4);
+  // Few at first where progress is shown: an item may be a thousand photons.
+  vtkIdType block = std::min<vtkIdType>(count, monitor.Progress ? 4 : 64);
   for (vtkIdType begin = 0; begin < count;)
   {
     if (monitor.IsAborted())

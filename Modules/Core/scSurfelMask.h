@@ -3,9 +3,9 @@
  * @file scSurfelMask.h
  * @brief Which of 64 light samples a disc hides from a point: the innermost loops of the Soft probe. Internal to Core.
  *
- * From the point x the disc (c, n, r) hides the sample y where the segment from x to y crosses the disc. With q = x - c,
- * w = y - x and E = q (n.w) - (n.q) w, the line meets the disc where |E|^2 <= r^2 (n.w)^2, and between x and y where n.q and
- * n.q + n.w differ in sign.
+ * From the point x the disc (c, n, r) hides the sample y where the segment from x to y crosses the disc. With q = x -
+ * c, w = y - x and E = q (n.w) - (n.q) w, the line meets the disc where |E|^2 <= r^2 (n.w)^2, and between x and y where
+ * n.q and n.q + n.w differ in sign.
  */
 #ifndef scSurfelMask_h
 #define scSurfelMask_h
@@ -28,9 +28,9 @@ struct GeneralSurfel
 {
   double Q[3];
   double Normal[3];
-  double Height;        ///< n.q
+  double Height; ///< n.q
   double RadiusSquared;
-  double Reach;         ///< 1; 0 for a light at infinity, where every crossing ahead of the point counts
+  double Reach; ///< 1; 0 for a light at infinity, where every crossing ahead of the point counts
 };
 std::uint64_t GeneralSurfelMask(const GeneralSurfel& surfel, const double* x, const double* y, const double* z);
 

@@ -16,8 +16,9 @@ constexpr double flatTolerance = 1e-3;
 constexpr double curvedTolerance = 3.0;
 
 /**
- * A cone that holds the whole shadow of a disc under the light. The disc may be tilted: the base of the cone goes through
- * the point of the disc that is nearest to the light, and nothing of the disc is farther from the axis than its radius.
+ * A cone that holds the whole shadow of a disc under the light. The disc may be tilted: the base of the cone goes
+ * through the point of the disc that is nearest to the light, and nothing of the disc is farther from the axis than its
+ * radius.
  * @return false where the light is too near for a cone.
  */
 bool PenumbraOf(const Cone& disc, const Light& light, const LightExtent& extent, Cone& penumbra)
@@ -27,8 +28,7 @@ bool PenumbraOf(const Cone& disc, const Light& light, const LightExtent& extent,
   const double cosine = Dot(penumbra.Axis, disc.Normal);
   const double depth = disc.BaseRadius * std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
   penumbra.Center = disc.Center - depth * penumbra.Axis;
-  PenumbraAngles(
-    extent, penumbra.Center, penumbra.Axis, disc.BaseRadius, penumbra.HalfAngle, penumbra.InnerHalfAngle);
+  PenumbraAngles(extent, penumbra.Center, penumbra.Axis, disc.BaseRadius, penumbra.HalfAngle, penumbra.InnerHalfAngle);
   return penumbra.HalfAngle > 0.0 && penumbra.HalfAngle < widestHalfAngle && Length(penumbra.Axis) > 0.5;
 }
 } // anonymous namespace
@@ -47,7 +47,8 @@ SurfelVisibility::SurfelVisibility(
     }
     const double tolerance = onSurfaces ? std::max(flatTolerance, curvedTolerance * cone.Planarity) : flatTolerance;
     const auto index = static_cast<int>(this->Surfels.size());
-    this->Surfels.push_back({ cone.Center, cone.Normal, cone.BaseRadius, tolerance * cone.BaseRadius, cone.OccluderId });
+    this->Surfels.push_back(
+      { cone.Center, cone.Normal, cone.BaseRadius, tolerance * cone.BaseRadius, cone.OccluderId });
     Cone penumbra;
     if (PenumbraOf(cone, light.Source(), extent, penumbra))
     {
@@ -63,14 +64,9 @@ SurfelVisibility::SurfelVisibility(
   this->Tree = ConeTree::OverSlices(this->Penumbrae, bounds, HUGE_VAL);
 }
 
-int SurfelVisibility::Hide(const Vector3& point, const LightView& view, OccluderMasks& masks) const
+void SurfelVisibility::Find(const Vector3& point, std::vector<int>& surfels) const
 {
-  int count = 0;
-  const auto hide = [&](const Surfel& surfel)
-  {
-    this->HideBySurfel(surfel, point, view, masks);
-    ++count;
-  };
+  surfels = this->Unbounded;
   this->Tree.ForEachAtPoint(point,
     [&](const ConeTree::Entry& entry)
     {
@@ -83,14 +79,18 @@ int SurfelVisibility::Hide(const Vector3& point, const LightView& view, Occluder
       const Vector3 lateral = offset - height * cone.Axis;
       if (height >= entry.Low - margin && height <= entry.High + margin && Dot(lateral, lateral) <= radius * radius)
       {
-        hide(this->Surfels[this->SurfelOf[entry.Cone]]);
+        surfels.push_back(this->SurfelOf[entry.Cone]);
       }
     });
-  for (const int index : this->Unbounded)
+}
+
+void SurfelVisibility::Hide(
+  const Vector3& point, const std::vector<int>& surfels, const LightView& view, OccluderMasks& masks) const
+{
+  for (const int index : surfels)
   {
-    hide(this->Surfels[index]);
+    this->HideBySurfel(this->Surfels[index], point, view, masks);
   }
-  return count;
 }
 
 void SurfelVisibility::HideBySurfel(
@@ -106,8 +106,8 @@ void SurfelVisibility::HideBySurfel(
   const double square = surfel.Radius * surfel.Radius;
   if (!view.A)
   {
-    const GeneralSurfel general{ { q.X, q.Y, q.Z }, { surfel.Normal.X, surfel.Normal.Y, surfel.Normal.Z }, height, square,
-      IsAtInfinity(this->Light.Source()) ? 0.0 : 1.0 };
+    const GeneralSurfel general{ { q.X, q.Y, q.Z }, { surfel.Normal.X, surfel.Normal.Y, surfel.Normal.Z }, height,
+      square, IsAtInfinity(this->Light.Source()) ? 0.0 : 1.0 };
     for (std::size_t block = 0; block < masks.NumberOfBlocks; ++block)
     {
       words[block] |=

@@ -21,6 +21,7 @@ struct OccluderMasks
   std::size_t NumberOfBlocks = 0;
   std::vector<int> OccluderIds;
   LightMask Words; ///< NumberOfBlocks an occluder
+  std::size_t Last = 0;
 
   void Reset(std::size_t numberOfBlocks)
   {
@@ -31,15 +32,21 @@ struct OccluderMasks
   /// The words of an occluder, added where it is new.
   std::uint64_t* Of(int occluderId)
   {
-    std::size_t i = 0;
-    while (i < this->OccluderIds.size() && this->OccluderIds[i] != occluderId)
+    // The last one first: neighbours in a tree mostly belong to the same occluder.
+    std::size_t i = this->Last;
+    if (i >= this->OccluderIds.size() || this->OccluderIds[i] != occluderId)
     {
-      ++i;
-    }
-    if (i == this->OccluderIds.size())
-    {
-      this->OccluderIds.push_back(occluderId);
-      this->Words.resize(this->Words.size() + this->NumberOfBlocks, 0);
+      i = 0;
+      while (i < this->OccluderIds.size() && this->OccluderIds[i] != occluderId)
+      {
+        ++i;
+      }
+      if (i == this->OccluderIds.size())
+      {
+        this->OccluderIds.push_back(occluderId);
+        this->Words.resize(this->Words.size() + this->NumberOfBlocks, 0);
+      }
+      this->Last = i;
     }
     return this->Words.data() + i * this->NumberOfBlocks;
   }
@@ -49,11 +56,14 @@ struct OccluderMasks
 class SurfelVisibility
 {
 public:
-  /// Queries are for points in @p bounds. @p onSurfaces: a point on a curved surface is not hidden by that surface's discs.
+  /// Queries are for points in @p bounds. @p onSurfaces: a point on a curved surface is not hidden by that surface's
+  /// discs.
   SurfelVisibility(const std::vector<Cone>& cones, const LightPatterns& light, const Box& bounds, bool onSurfaces);
 
-  /// Add what the discs hide of @p view, which was taken from @p point. @return the number of discs looked at.
-  int Hide(const Vector3& point, const LightView& view, OccluderMasks& masks) const;
+  /// The discs whose shadow may reach the point; @p surfels is overwritten.
+  void Find(const Vector3& point, std::vector<int>& surfels) const;
+  /// Add what these discs hide of @p view, which was taken from @p point.
+  void Hide(const Vector3& point, const std::vector<int>& surfels, const LightView& view, OccluderMasks& masks) const;
 
 private:
   struct Surfel

@@ -112,45 +112,48 @@ bool UmbraField::Sample(const FieldGrid& grid, const Box& region, const Monitor&
   {
     blocks[axis] = (grid.Dimensions[axis] + blockSide - 1) / blockSide;
   }
-  return ParallelFor(blocks[0] * blocks[1] * blocks[2], monitor, [&](vtkIdType first, vtkIdType last) {
-    std::vector<int> candidates;
-    for (vtkIdType b = first; b < last; ++b)
+  return ParallelFor(blocks[0] * blocks[1] * blocks[2], monitor,
+    [&](vtkIdType first, vtkIdType last)
     {
-      const int begin[3] = { static_cast<int>(b % blocks[0]) * blockSide,
-        static_cast<int>(b / blocks[0] % blocks[1]) * blockSide, static_cast<int>(b / blocks[0] / blocks[1]) * blockSide };
-      int end[3];
-      for (int axis = 0; axis < 3; ++axis)
+      std::vector<int> candidates;
+      for (vtkIdType b = first; b < last; ++b)
       {
-        end[axis] = std::min(begin[axis] + blockSide, grid.Dimensions[axis]);
-      }
-      const Vector3 low = grid.Point(begin[0], begin[1], begin[2]);
-      const Vector3 high = grid.Point(end[0] - 1, end[1] - 1, end[2] - 1);
-      candidates.clear();
-      for (std::size_t i = 0; i < this->Discs.size(); ++i)
-      {
-        // Grown by what counts, so that values near 0 are continuous across blocks.
-        if (this->Penumbrae[i].Distance(0.5 * (low + high)) <= 0.5 * Length(high - low) + largest)
+        const int begin[3] = { static_cast<int>(b % blocks[0]) * blockSide,
+          static_cast<int>(b / blocks[0] % blocks[1]) * blockSide,
+          static_cast<int>(b / blocks[0] / blocks[1]) * blockSide };
+        int end[3];
+        for (int axis = 0; axis < 3; ++axis)
         {
-          candidates.push_back(static_cast<int>(i));
+          end[axis] = std::min(begin[axis] + blockSide, grid.Dimensions[axis]);
         }
-      }
-      for (int k = begin[2]; k < end[2]; ++k)
-      {
-        for (int j = begin[1]; j < end[1]; ++j)
+        const Vector3 low = grid.Point(begin[0], begin[1], begin[2]);
+        const Vector3 high = grid.Point(end[0] - 1, end[1] - 1, end[2] - 1);
+        candidates.clear();
+        for (std::size_t i = 0; i < this->Discs.size(); ++i)
         {
-          for (int i = begin[0]; i < end[0]; ++i)
+          // Grown by what counts, so that values near 0 are continuous across blocks.
+          if (this->Penumbrae[i].Distance(0.5 * (low + high)) <= 0.5 * Length(high - low) + largest)
           {
-            const Vector3 point = grid.Point(i, j, k);
-            const Vector3 below = region.Min - point;
-            const Vector3 above = point - region.Max;
-            const double outside = std::max({ below.X, below.Y, below.Z, above.X, above.Y, above.Z });
-            values[(static_cast<vtkIdType>(k) * grid.Dimensions[1] + j) * grid.Dimensions[0] + i] =
-              static_cast<float>(std::max(outside, this->Value(point, candidates, largest)));
+            candidates.push_back(static_cast<int>(i));
+          }
+        }
+        for (int k = begin[2]; k < end[2]; ++k)
+        {
+          for (int j = begin[1]; j < end[1]; ++j)
+          {
+            for (int i = begin[0]; i < end[0]; ++i)
+            {
+              const Vector3 point = grid.Point(i, j, k);
+              const Vector3 below = region.Min - point;
+              const Vector3 above = point - region.Max;
+              const double outside = std::max({ below.X, below.Y, below.Z, above.X, above.Y, above.Z });
+              values[(static_cast<vtkIdType>(k) * grid.Dimensions[1] + j) * grid.Dimensions[0] + i] =
+                static_cast<float>(std::max(outside, this->Value(point, candidates, largest)));
+            }
           }
         }
       }
-    }
-  });
+    });
 }
 
 Box UmbraField::Find(const Box& region, int resolution, const Monitor& monitor) const

@@ -13,9 +13,9 @@ namespace shadowcones
 {
 
 /**
- * At a point, for each of some points of the light, the distance from the nearest rim of the discs to the place where the segment
- * between the two crosses their plane, negative inside; of these the largest. Negative where each of these points is hidden by one
- * disc or another, 0 where the first of them comes into view.
+ * At a point, for each of some points of the light, the distance from the nearest rim of the discs to the place where
+ * the segment between the two crosses their plane, negative inside; of these the largest. Negative where each of these
+ * points is hidden by one disc or another, 0 where the first of them comes into view.
  */
 class SHADOWCONESCORE_EXPORT UmbraField
 {
@@ -30,12 +30,13 @@ public:
   double Value(const Vector3& point) const;
 
   /**
-   * The field at the points of a grid, clipped to @p region; values farther than two cells from 0 are cut off. @return false
-   * where aborted.
+   * The field at the points of a grid, clipped to @p region; values farther than two cells from 0 are cut off. @return
+   * false where aborted.
    */
   bool Sample(const FieldGrid& grid, const Box& region, const Monitor& monitor, float* values) const;
 
-  /// The box around the umbra within a box, to about a cell of a grid of @p resolution; empty where none is found, or aborted.
+  /// The box around the umbra within a box, to about a cell of a grid of @p resolution; empty where none is found, or
+  /// aborted.
   Box Find(const Box& region, int resolution, const Monitor& monitor) const;
 
 private:

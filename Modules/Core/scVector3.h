@@ -98,8 +98,11 @@ struct Box
   }
   void Add(const Box& b)
   {
-    this->Add(b.Min);
-    this->Add(b.Max);
+    if (!b.Empty())
+    {
+      this->Add(b.Min);
+      this->Add(b.Max);
+    }
   }
   Vector3 Center() const { return 0.5 * (this->Min + this->Max); }
   Vector3 Size() const { return this->Max - this->Min; }

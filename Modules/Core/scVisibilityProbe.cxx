@@ -21,6 +21,7 @@ struct Scratch
   OccluderMasks Masks;
   LightMask Above; ///< samples that the point's own surface lets through
   std::vector<RayHit> Hits;
+  std::vector<int> Discs; ///< that may hide light
 };
 
 int CountBits(std::uint64_t x)
@@ -137,13 +138,29 @@ PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal)
   const std::size_t blocks = impl.Patterns.NumberOfBlocks();
   PointVisibility result;
 
+  // Where nothing can be in the way no sample is taken.
+  const int side = normal ? impl.SideOf(point, *normal) : 1;
+  bool shadowed = false;
+  if (impl.Surfels)
+  {
+    impl.Surfels->Find(point, scratch.Discs);
+    shadowed = !scratch.Discs.empty();
+  }
+  else
+  {
+    shadowed = impl.Scene && impl.Bounds->Contains(point);
+  }
+  if (side > 0 && !shadowed && impl.Patterns.IsWholeFrom(point))
+  {
+    return result;
+  }
+
   impl.Patterns.LookFrom(point, scratch.View);
   int open = 0;
   for (const std::uint64_t word : scratch.View.Open)
   {
     open += CountBits(word);
   }
-  const int side = normal ? impl.SideOf(point, *normal) : 1;
   if (open == 0 || side < 0)
   {
     result.Fraction = 0.0;
@@ -163,14 +180,12 @@ PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal)
   }
 
   scratch.Masks.Reset(blocks);
-  bool sampled = side == 0;
-  if (impl.Surfels)
+  if (shadowed && impl.Surfels)
   {
-    sampled = impl.Surfels->Hide(point, scratch.View, scratch.Masks) > 0 || sampled;
+    impl.Surfels->Hide(point, scratch.Discs, scratch.View, scratch.Masks);
   }
-  else if (impl.Scene && impl.Bounds->Contains(point))
+  else if (shadowed)
   {
-    sampled = true;
     impl.Trace(point, scratch.Above, scratch);
   }
 
@@ -202,7 +217,7 @@ PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal)
 
   result.Fraction = static_cast<double>(visible) / open;
   result.Class = visible == open ? ShadowClass::Lit : (visible == 0 ? ShadowClass::Umbra : ShadowClass::Penumbra);
-  if (sampled && !impl.Patterns.IsExact())
+  if ((shadowed || side == 0) && !impl.Patterns.IsExact())
   {
     const double p = (visible + 0.5) / (open + 1.0);
     result.Error = std::sqrt(p * (1.0 - p) / open);

@@ -50,22 +50,25 @@ struct PointVisibility
 };
 
 /**
- * Built once, queried often, from any number of threads. Samples of a point are a pure function of (Seed, its coordinates).
+ * Built once, queried often, from any number of threads. Samples of a point are a pure function of (Seed, its
+ * coordinates).
  *
- * With k of n samples visible the fraction is k / n and its error sqrt(p (1 - p) / n), p = (k + 1/2) / (n + 1): the standard
- * error of independent samples, which overrates that of the stratified ones, and is not 0 where all samples agree. It is 0
- * where nothing is sampled: outside all cones, on the dark side of the light, and for point lights. It knows nothing of
- * shadow that the cones miss (Exact) nor of what the discs get wrong (Soft).
+ * With k of n samples visible the fraction is k / n and its error sqrt(p (1 - p) / n), p = (k + 1/2) / (n + 1): the
+ * standard error of independent samples, which overrates that of the stratified ones, and is not 0 where all samples
+ * agree. It is 0 where nothing is sampled: outside all cones, on the dark side of the light, and for point lights. It
+ * knows nothing of shadow that the cones miss (Exact) nor of what the discs get wrong (Soft).
  *
- * Exact asks the rays inside cones and up to one base radius before their base, where surface points may lie. A triangle in
- * whose plane the point lies never hides anything from it, nor does a disc (Soft): a surface casts no shadow on itself.
+ * Exact asks the rays inside cones and up to one base radius before their base, where surface points may lie. A
+ * triangle in whose plane the point lies never hides anything from it, nor does a disc (Soft): a surface casts no
+ * shadow on itself.
  */
 class SHADOWCONESCORE_EXPORT VisibilityProbe
 {
 public:
   /**
-   * @param cones bounds of the shadow (Exact), or discs made with CosineCorrection off (Soft); @param scene the occluders,
-   * without receivers; nullptr for Soft; must outlive the probe; @param bounds points outside see the whole light.
+   * @param cones bounds of the shadow (Exact), or discs made with CosineCorrection off (Soft); @param scene the
+   * occluders, without receivers; nullptr for Soft; must outlive the probe; @param bounds points outside see the whole
+   * light.
    */
   VisibilityProbe(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene, const Box& bounds,
     const VisibilityOptions& options);

@@ -98,8 +98,8 @@ public:
   ///@}
 
   ///@{
-  /// The box to draw samples in: x from, to, y from, to, z from, to, world units. Default (1, -1, 1, -1, 1, -1), which stands
-  /// for the joint bounds of mesh and light (without a Sun). Valid: from at most to.
+  /// The box to draw samples in: x from, to, y from, to, z from, to, world units. Default (1, -1, 1, -1, 1, -1), which
+  /// stands for the joint bounds of mesh and light (without a Sun). Valid: from at most to.
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);
   ///@}

@@ -71,7 +71,8 @@ bool ReadPlaces(vtkDataSet* data, bool atCells, bool useNormals, Places& places,
     places.Bounds.Add(point);
   }
 
-  vtkDataSetAttributes* attributes = atCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
+  vtkDataSetAttributes* attributes =
+    atCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
   vtkDataArray* normals = useNormals ? attributes->GetNormals() : nullptr;
   if (normals && normals->GetNumberOfTuples() == count)
   {
@@ -180,8 +181,7 @@ int vtkConeSetProbe::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-int vtkConeSetProbe::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkConeSetProbe::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // The data set is asked for what is asked of the output; the rest is needed as a whole.
   RequestWholeInputs(this, inputVector, 1);
@@ -243,15 +243,15 @@ int vtkConeSetProbe::RequestData(
   Places places;
   std::string error;
   if (!ReadConeSet(coneInput, cones, error) || !ReadLight(lightInput, light, error) ||
-    (exact && !ReadTriangles(meshInput, mesh, error)) ||
-    !ReadPlaces(input, atCells, this->UseNormals, places, error))
+    (exact && !ReadTriangles(meshInput, mesh, error)) || !ReadPlaces(input, atCells, this->UseNormals, places, error))
   {
     vtkErrorMacro(<< error);
     return 0;
   }
   if (exact && mesh.Triangles.empty() && meshInput->GetNumberOfCells() > 0)
   {
-    vtkErrorMacro("The mesh on input port 3 has " << meshInput->GetNumberOfCells()
+    vtkErrorMacro("The mesh on input port 3 has "
+      << meshInput->GetNumberOfCells()
       << " cells and no polygon: shadows need surfaces. Run vtkDataSetSurfaceFilter first, or use Soft.");
     return 0;
   }
@@ -292,8 +292,10 @@ void vtkConeSetProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << (this->Method == EXACT ? "Exact" : this->Method == SOFT ? "Soft" : "invalid") << "\n";
-  os << indent
-     << "Association: " << (this->Association == POINTS ? "Points" : this->Association == CELLS ? "Cells" : "invalid")
+  os << indent << "Association: "
+     << (this->Association == POINTS     ? "Points"
+            : this->Association == CELLS ? "Cells"
+                                         : "invalid")
      << "\n";
   os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
   os << indent << "UseNormals: " << (this->UseNormals ? "on" : "off") << "\n";

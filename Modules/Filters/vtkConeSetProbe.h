@@ -3,34 +3,38 @@
  * @class vtkConeSetProbe
  * @brief Lit, penumbra or umbra, whose shadow, and how sure: at the points or cells of any data set.
  *
- * Exact sends rays from a point to stratified samples of the light, but only where the point is inside a cone or at most one
- * base radius before its base; elsewhere the light is taken as visible. Its cones are to be bounds (LightGeometry, Overlap,
- * CosineCorrection off). Soft needs no mesh: the base discs of the cones are the occluders, and each hides from a point the
- * samples of the light behind it; its discs are best made with CosineCorrection off (a correction that the cone set's field
- * data tells of is taken back). Cells with a negative "OccluderId" of the mesh are receivers and cast no shadow.
+ * Exact sends rays from a point to stratified samples of the light, but only where the point is inside a cone or at
+ * most one base radius before its base; elsewhere the light is taken as visible. Its cones are to be bounds
+ * (LightGeometry, Overlap, CosineCorrection off). Soft needs no mesh: the base discs of the cones are the occluders,
+ * and each hides from a point the samples of the light behind it; its discs are best made with CosineCorrection off (a
+ * correction that the cone set's field data tells of is taken back). Cells with a negative "OccluderId" of the mesh are
+ * receivers and cast no shadow.
  *
- * A surface casts no shadow on itself: a triangle (Exact) or disc (Soft) in whose plane a point lies hides nothing from it.
- * Where the data set has active normals (of points or of cells, as Association says) light that comes from below the surface
- * is hidden by it, so that faces turned away from the light are in full shadow. Soft needs normals for that on closed
- * surfaces too; Exact finds it out by itself there, and needs them on open sheets only.
+ * A surface casts no shadow on itself: a triangle (Exact) or disc (Soft) in whose plane a point lies hides nothing from
+ * it. Where the data set has active normals (of points or of cells, as Association says) light that comes from below
+ * the surface is hidden by it, so that faces turned away from the light are in full shadow. Soft needs normals for that
+ * on closed surfaces too; Exact finds it out by itself there, and needs them on open sheets only.
  *
  * Results are the same bytes for any number of threads, and the samples of a point are a pure function of (Seed, its
- * coordinates), so that pieces of a data set give what the whole does. Piece requests and extents are passed to input 0.
+ * coordinates), so that pieces of a data set give what the whole does. Piece requests and extents are passed to input
+ * 0.
  *
- * Input port 0: any vtkDataSet. Input port 1: a cone set; point data "Axis" (3), "BaseRadius" and "HalfAngle" are required,
- * "Normal", "OccluderId" and "Planarity" are optional. Input port 2: the light, of vtkAreaLightSource or any mesh of polygons.
- * Input port 3, required for Exact: the mesh, vtkPolyData with cell data "OccluderId" (int; without it every id is 0).
+ * Input port 0: any vtkDataSet. Input port 1: a cone set; point data "Axis" (3), "BaseRadius" and "HalfAngle" are
+ * required, "Normal", "OccluderId" and "Planarity" are optional. Input port 2: the light, of vtkAreaLightSource or any
+ * mesh of polygons. Input port 3, required for Exact: the mesh, vtkPolyData with cell data "OccluderId" (int; without
+ * it every id is 0).
  *
- * Output: the input's type, structure and arrays, and in its point data (or cell data, as Association says) "Visibility" (float
- * 0..1, visible share of the part of the light that emits towards the point), "ShadowClass" (unsigned char: 0 lit, every sample
- * is visible; 1 penumbra; 2 umbra, none is), "OccluderId" (int, the occluder that hides most of the light, the smallest id of
- * several; -1 where none hides any), "VisibilityError" (float, standard error of Visibility). Arrays of these names are
- * replaced. On the dark side of the light, and where only the surface itself hides the light, Visibility is 0, ShadowClass 2,
- * OccluderId -1.
+ * Output: the input's type, structure and arrays, and in its point data (or cell data, as Association says)
+ * "Visibility" (float 0..1, visible share of the part of the light that emits towards the point), "ShadowClass"
+ * (unsigned char: 0 lit, every sample is visible; 1 penumbra; 2 umbra, none is), "OccluderId" (int, the occluder that
+ * hides most of the light, the smallest id of several; -1 where none hides any), "VisibilityError" (float, standard
+ * error of Visibility). Arrays of these names are replaced. On the dark side of the light, and where only the surface
+ * itself hides the light, Visibility is 0, ShadowClass 2, OccluderId -1.
  *
- * With k of n samples visible VisibilityError is sqrt(p (1 - p) / n), p = (k + 1/2) / (n + 1): the standard error of independent
- * samples, a bound for these stratified ones. It is 0 where nothing was sampled (outside all cones, on the dark side of the
- * light, point lights). It says nothing of shadow that lies outside the cones (Exact) or of what the discs miss (Soft).
+ * With k of n samples visible VisibilityError is sqrt(p (1 - p) / n), p = (k + 1/2) / (n + 1): the standard error of
+ * independent samples, a bound for these stratified ones. It is 0 where nothing was sampled (outside all cones, on the
+ * dark side of the light, point lights). It says nothing of shadow that lies outside the cones (Exact) or of what the
+ * discs miss (Soft).
  *
  * @sa vtkConeSetFilter vtkConeSetAccuracy vtkAreaLightSource
  */

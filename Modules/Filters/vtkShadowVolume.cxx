@@ -129,7 +129,8 @@ std::string CheckRegion(const Box& region, int resolution)
   const double cell = std::max({ size.X, size.Y, size.Z }) / resolution;
   if (!std::isfinite(region.Diagonal()) || !(cell > smallestCell * largest))
   {
-    fault << "cells of " << cell << " at coordinates up to " << largest << ", beyond double precision: set Bounds or Length.";
+    fault << "cells of " << cell << " at coordinates up to " << largest
+          << ", beyond double precision: set Bounds or Length.";
     return fault.str();
   }
   const vtkIdType samples = GridOver(region, resolution).NumberOfPoints();
@@ -151,23 +152,38 @@ struct Solid
 Solid UnionOfCones(const std::vector<Cone>& cones, ConeBound bound, double length, const Box& bounds)
 {
   const ConeField field(cones, bound, length, bounds);
-  return { field.Region(),
-    [field](const FieldGrid& grid, const Monitor& monitor, float* values) { return field.Sample(grid, monitor, values); } };
+  return { field.Region(), [field](const FieldGrid& grid, const Monitor& monitor, float* values) {
+            return field.Sample(grid, monitor, values);
+          } };
 }
 
-/// Looked for with half of the resolution first: it may fill a small part of what the discs can shade.
+/// What the discs hide together, or one alone. Looked for with half of the resolution first: it may fill a small part
+/// of the region.
 Solid JointUmbra(const std::vector<Cone>& cones, const Light& light, double length, const Box& bounds, int resolution,
   const Monitor& monitor)
 {
   const UmbraField field(cones, light, length, bounds);
+  const ConeField inner(cones, ConeBound::Inner, length, bounds);
   Solid solid;
   solid.Region = field.Region();
   if (!solid.Region.Empty() && CheckRegion(solid.Region, resolution).empty())
   {
     solid.Region = field.Find(solid.Region, (resolution + 1) / 2, monitor);
   }
-  solid.Sample = [field, region = solid.Region](const FieldGrid& grid, const Monitor& part, float* values)
-  { return field.Sample(grid, region, part, values); };
+  if (!inner.Region().Empty())
+  {
+    solid.Region.Add(inner.Region());
+  }
+  solid.Sample = [field, inner, region = solid.Region](const FieldGrid& grid, const Monitor& part, float* values)
+  {
+    std::vector<float> alone(static_cast<std::size_t>(grid.NumberOfPoints()));
+    if (!field.Sample(grid, region, part, values) || !inner.Sample(grid, Monitor{ {}, part.Aborted }, alone.data()))
+    {
+      return false;
+    }
+    std::transform(alone.begin(), alone.end(), values, values, [](float a, float b) { return std::min(a, b); });
+    return true;
+  };
   return solid;
 }
 
@@ -301,7 +317,8 @@ int vtkShadowVolume::RequestData(
       error = CheckRegion(solid.Region, this->Resolution);
       if (!error.empty())
       {
-        vtkErrorMacro("The " << (i % 2 ? "inner" : "outer") << " bound of occluder " << group.first << " needs " << error);
+        vtkErrorMacro(
+          "The " << (i % 2 ? "inner" : "outer") << " bound of occluder " << group.first << " needs " << error);
         return 0;
       }
       const FieldGrid grid = GridOver(solid.Region, this->Resolution);
@@ -330,9 +347,13 @@ void vtkShadowVolume::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const double* b = this->Bounds;
   os << indent << "Resolution: " << this->Resolution << "\n";
-  os << indent << "Bounds: " << b[0] << ", " << b[1] << ", " << b[2] << ", " << b[3] << ", " << b[4] << ", " << b[5] << "\n";
+  os << indent << "Bounds: " << b[0] << ", " << b[1] << ", " << b[2] << ", " << b[3] << ", " << b[4] << ", " << b[5]
+     << "\n";
   os << indent << "Length: " << this->Length << "\n";
   os << indent << "Umbra: "
-     << (this->Umbra == INNER_CONES ? "InnerCones" : this->Umbra == BASE_DISCS ? "BaseDiscs" : "invalid") << "\n";
+     << (this->Umbra == INNER_CONES     ? "InnerCones"
+            : this->Umbra == BASE_DISCS ? "BaseDiscs"
+                                        : "invalid")
+     << "\n";
   os << indent << "PerOccluder: " << (this->PerOccluder ? "on" : "off") << "\n";
 }

@@ -8,6 +8,7 @@
 #include "vtkShadowVectorFilter.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
@@ -78,6 +79,23 @@ vtkSmartPointer<vtkPolyData> StandInRoom(vtkPolyData* mesh)
   filter->Update();
   return filter->GetOutput();
 }
+
+/// Set the parameters that tuning chose, so that the filter fits again without tuning.
+void UseChosen(vtkConeSetFilter* filter)
+{
+  vtkSmartPointer<vtkFieldData> chosen = filter->GetOutput()->GetFieldData();
+  const auto value = [&](const char* name) { return chosen->GetArray(name)->GetComponent(0, 0); };
+  filter->SetTuningToManual();
+  filter->SetNumberOfNeighbors(static_cast<int>(value("NumberOfNeighbors")));
+  filter->SetPointsPerRing(static_cast<int>(value("PointsPerRing")));
+  filter->SetMinimumVectorsPerCone(static_cast<int>(value("MinimumVectorsPerCone")));
+  filter->SetVarianceThreshold(value("VarianceThreshold"));
+  filter->SetCosineCorrection(value("CosineCorrection") != 0.0);
+  filter->SetExpansion(static_cast<int>(value("Expansion")));
+  filter->SetExpansionFraction(value("ExpansionFraction"));
+  filter->SetRadiusScale(value("RadiusScale"));
+  filter->SetOverlap(value("Overlap") != 0.0);
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -138,9 +156,13 @@ ConeParameters NamedParameters(const std::string& set)
     parameters.Cosine = true;
     parameters.Overlap = false;
   }
+  else if (set == "conservative" || set == "preview" || set == "soft")
+  {
+    parameters.Tuning = set == "conservative" ? 1 : set == "preview" ? 2 : 3;
+  }
   else if (set != "bounds")
   {
-    throw std::runtime_error("No parameter set '" + set + "': give paper or bounds.");
+    throw std::runtime_error("No parameter set '" + set + "': give paper, bounds, conservative, preview or soft.");
   }
   return parameters;
 }
@@ -150,6 +172,11 @@ std::string Describe(const ConeParameters& parameters)
 {
   static const char* const expansions[3] = { "max", "ratio", "light" };
   std::ostringstream text;
+  if (parameters.Tuning != 0)
+  {
+    text << parameters.Set << ' ' << (parameters.Storage ? "hit" : "back") << " seed=" << parameters.Seed;
+    return text.str();
+  }
   text << parameters.Set << ' ' << (parameters.Storage ? "hit" : "back") << " p=" << parameters.P1 << ','
        << parameters.P2 << ',' << parameters.P3 << ',' << parameters.P4 << " t=" << parameters.Variance
        << " flat=" << parameters.Planarity << ' ' << expansions[parameters.Expansion] << '*' << parameters.Fraction
@@ -191,10 +218,19 @@ ConesOfScene MakeCones(const VectorsOfScene& vectors, const ConeParameters& para
   filter->SetExpansionFraction(parameters.Fraction);
   filter->SetCosineCorrection(parameters.Cosine);
   filter->SetOverlap(parameters.Overlap);
+  ConesOfScene result;
+  if (parameters.Tuning != 0)
+  {
+    filter->SetTuning(parameters.Tuning);
+    const double tuningStart = Now();
+    filter->Update();
+    result.TuningSeconds = Now() - tuningStart;
+    UseChosen(filter);
+  }
   const double start = Now();
   filter->Update();
-  ConesOfScene result;
   result.Seconds = Now() - start;
+  result.TuningSeconds = std::max(0.0, result.TuningSeconds - result.Seconds);
   std::string error;
   if (!ReadConeSet(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)), result.Cones, error))
   {

@@ -62,9 +62,13 @@ struct ConeParameters
   bool Cosine = false;
   bool Overlap = true;
   int Seed = 1;
+  int Tuning = 0; ///< 0 Manual; 1 Conservative, 2 Preview, 3 Soft choose what is above, but for Storage and Seed
 };
 
-/// "paper": section 3.2 as it stands. "bounds": few, large, conservative cones. Throws std::runtime_error otherwise.
+/**
+ * "paper": section 3.2 as it stands. "bounds": few, large, conservative cones. "conservative", "preview", "soft":
+ * tuned. Throws std::runtime_error otherwise.
+ */
 ConeParameters NamedParameters(const std::string& set);
 /// The parameters as one line, for a table.
 std::string Describe(const ConeParameters& parameters);
@@ -82,7 +86,8 @@ struct ConesOfScene
 {
   std::vector<Cone> Cones;
   double Discarded = 0.0; ///< share of the vectors that no cone holds
-  double Seconds = 0.0;
+  double TuningSeconds = 0.0; ///< 0 where Tuning is Manual
+  double Seconds = 0.0;       ///< to fit with the parameters given or found
 };
 /// Runs vtkConeSetFilter.
 ConesOfScene MakeCones(const VectorsOfScene& vectors, const ConeParameters& parameters);

@@ -1,113 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well cones bound the shadow: one line for each scene, number of vectors and set of parameters.
-//
-// A sample is a pair (x, y): x uniform in the room, y uniform on the light. It is *blocked* where the mesh cuts the
-// segment from x to y, and *inside* where a cone holds x.
-//   recall    = blocked and inside / blocked    share of the blocked light that lies inside cones
-//   precision = blocked and inside / inside     share of the light at points inside cones that is blocked
-//   leak      = blocked, not inside / blocked   1 - recall
-//   lost      = lit and inside / lit            share of the unblocked light that lies inside cones
+// How well cones bound the shadow: one line for each scene, number of vectors and set of parameters. The quantities are
+// those of vtkConeSetAccuracy, by samples drawn evenly in the room.
 #include "BenchmarkScene.h"
 
+#include "scConeAccuracy.h"
 #include "scConeIntervals.h"
-#include "scRandom.h"
-
-#include "vtkSMPTools.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <tuple>
 
 using namespace shadowcones;
 
 namespace
 {
-/// The truth at sample points: how many of the light points each of them misses.
-struct Truth
+/// Samples in the room and what the mesh does to the light there.
+struct SampledRoom
 {
   std::vector<Vector3> Points;
-  std::vector<int> Blocked;
-  int LightPoints = 0;
+  std::vector<SampleTruth> Truth;
 };
 
-Truth SampleTruth(const BenchmarkScene& scene, int points, int lightPoints, int seed)
+SampledRoom SampleRoom(const BenchmarkScene& scene, int points, int lightPoints, int seed)
 {
-  Truth truth;
-  truth.LightPoints = lightPoints;
-  truth.Points.resize(points);
-  truth.Blocked.assign(points, 0);
-  const Box room = RoomBounds();
-  const Vector3 size = room.Size();
-  vtkSMPTools::For(0, points,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        RandomStream random(static_cast<std::uint64_t>(seed), static_cast<std::uint64_t>(k));
-        const double u = random.Next();
-        const double v = random.Next();
-        const double w = random.Next();
-        const Vector3 x = room.Min + Vector3{ u * size.X, v * size.Y, w * size.Z };
-        truth.Points[k] = x;
-        for (int s = 0; s < lightPoints; ++s)
-        {
-          const double a = random.Next();
-          const IncidentSample sample = SampleVisibleLight(scene.Source, x, a, random.Next());
-          truth.Blocked[k] += scene.Fast->Occluded(x, sample.Direction, 0.0, sample.Distance);
-        }
-      }
-    });
-  return truth;
+  SampledRoom room;
+  const auto word = static_cast<std::uint64_t>(seed);
+  DrawSamplePoints(RoomBounds(), points, word, {}, room.Points);
+  MeasureTruth(room.Points, *scene.Fast, scene.Source, lightPoints, word, {}, room.Truth);
+  return room;
 }
 
-struct Accuracy
+AccuracyTally Measure(const SampledRoom& room, const std::vector<Cone>& cones)
 {
-  double Recall = 0.0;
-  double Precision = 0.0;
-  double Lost = 0.0;
-  double NanosecondsPerRay = 0.0; ///< for the merged intervals of a ray across the room
-};
+  std::vector<SamplePrediction> predictions;
+  std::vector<ConeTally> tallies;
+  ClassifyByCones(room.Points, room.Truth, cones, {}, predictions, tallies);
+  return TallyAccuracy(room.Truth, predictions, cones, 0).All;
+}
 
-Accuracy Measure(const Truth& truth, const std::vector<Cone>& cones)
+/// For the merged intervals of a ray across the room.
+double NanosecondsPerRay(const SampledRoom& room, const std::vector<Cone>& cones)
 {
   const ConeHierarchy hierarchy(cones, RoomBounds());
-  const auto count = static_cast<vtkIdType>(truth.Points.size());
-  std::vector<unsigned char> inside(truth.Points.size());
-  vtkSMPTools::For(0, count,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        inside[k] = hierarchy.Contains(truth.Points[k]);
-      }
-    });
-  double blocked = 0.0;
-  double blockedInside = 0.0;
-  double allInside = 0.0;
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    blocked += truth.Blocked[k];
-    blockedInside += inside[k] ? truth.Blocked[k] : 0;
-    allInside += inside[k] ? truth.LightPoints : 0;
-  }
-  const double all = static_cast<double>(count) * truth.LightPoints;
-  Accuracy result;
-  result.Recall = blocked > 0.0 ? blockedInside / blocked : 1.0;
-  result.Precision = allInside > 0.0 ? blockedInside / allInside : 0.0;
-  result.Lost = all > blocked ? (allInside - blockedInside) / (all - blocked) : 0.0;
-
   constexpr int rays = 20000;
   std::vector<RayInterval> intervals;
   const Vector3 eye{ 0.0, 2.6, 10.0 };
   const double start = Now();
-  for (int k = 0; k < rays; ++k)
+  for (std::size_t k = 0; k < rays; ++k)
   {
-    hierarchy.Intersect(eye, Normalized(truth.Points[k % count] - eye), 0.0, 20.0, intervals);
+    hierarchy.Intersect(eye, Normalized(room.Points[k % room.Points.size()] - eye), 0.0, 20.0, intervals);
   }
-  result.NanosecondsPerRay = (Now() - start) / rays * 1e9;
-  return result;
+  return (Now() - start) / rays * 1e9;
 }
 
 /// Replace each set of parameters by one copy for every value that was given; none given: leave it.
@@ -134,7 +81,7 @@ void Sweep(std::vector<ConeParameters>& sets, const std::vector<Value>& values, 
 int main(int argc, char* argv[])
 {
   CLI::App app("How well do cones bound the shadow? Options that take several values are swept over all combinations.");
-  std::vector<std::string> scenes = { "chair", "tree", "blob" };
+  std::vector<std::string> scenes = { "chair", "tree", "blob", "bunny" };
   std::vector<std::string> meshes;
   std::vector<std::string> names = { "paper", "bounds" };
   std::vector<vtkIdType> vectors = { 5800, 50000 };
@@ -147,9 +94,9 @@ int main(int argc, char* argv[])
   const std::map<std::string, int> storages = { { "BackSide", 0 }, { "HitPoint", 1 } };
   const std::map<std::string, int> expansions = { { "MaximumDeviation", 0 }, { "RadiusRatio", 1 },
     { "LightGeometry", 2 } };
-  app.add_option("--scene", scenes, "chair, tree, blob");
+  app.add_option("--scene", scenes, "chair, tree, blob, and bunny where Debian's glmark2-data is installed");
   app.add_option("--mesh", meshes, "mesh files to use as well, scaled to a height of 3 on the floor");
-  app.add_option("--set", names, "starting values: paper, bounds");
+  app.add_option("--set", names, "starting values: paper, bounds, conservative, preview, soft");
   app.add_option("--vectors", vectors, "shadow vectors asked for");
   app.add_option("--storage", storage, "BackSide, HitPoint")->transform(CLI::CheckedTransformer(storages));
   app.add_option("--p1", p1, "neighbours");
@@ -169,6 +116,12 @@ int main(int argc, char* argv[])
   app.add_option("--truth-seed", truthSeed, "seed of the sample points");
   app.add_option("--csv", csv, "write the table to this file as well");
   CLI11_PARSE(app, argc, argv);
+  const std::string bunny = "/usr/share/glmark2/models/bunny.obj";
+  const bool hasBunny = std::ifstream(bunny).good();
+  scenes.erase(
+    std::remove_if(scenes.begin(), scenes.end(), [&](const std::string& s) { return s == "bunny" && !hasBunny; }),
+    scenes.end());
+  std::replace(scenes.begin(), scenes.end(), std::string("bunny"), bunny);
   scenes.insert(scenes.end(), meshes.begin(), meshes.end());
 
   try
@@ -202,20 +155,22 @@ int main(int argc, char* argv[])
     }
     if (table)
     {
-      std::fprintf(table, "scene,vectors,cones,discarded,recall,precision,leak,lost,trace_s,fit_s,ray_ns,parameters\n");
+      std::fprintf(table,
+        "scene,vectors,cones,discarded,recall,precision,iou,leak,lost,light_precision,umbra_precision,"
+        "umbra_recall,vectors_s,tuning_s,fit_s,ray_ns,parameters\n");
     }
     std::printf(
-      "# samples: %d points in the room x %d light points; blocked: the mesh is between; inside: a cone holds the "
-      "point\n"
-      "# recall: blocked inside / blocked; precision: blocked inside / inside; leak: blocked outside / blocked; "
-      "lost: lit inside / lit\n",
+      "# %d samples in the room x %d light points. By volume: recall, precision, IoU, umbra precision, recall.\n"
+      "# By light: leak, blocked outside / all blocked; lost, lit inside / all lit; light-p, blocked inside / "
+      "all inside.\n",
       points, lightPoints);
-    std::printf("%-10s %8s %6s %9s %8s %9s %8s %8s %9s %7s %7s  parameters\n", "scene", "vectors", "cones", "discarded",
-      "recall", "precision", "leak", "lost", "trace[s]", "fit[s]", "ray[ns]");
+    std::printf("%-10s %8s %6s %9s %8s %9s %8s %8s %8s %8s %8s %8s %10s %9s %7s %7s  parameters\n", "scene", "vectors",
+      "cones", "discarded", "recall", "precision", "IoU", "leak", "lost", "light-p", "umbra-p", "umbra-r", "vectors[s]",
+      "tuning[s]", "fit[s]", "ray[ns]");
     for (const std::string& name : scenes)
     {
       const BenchmarkScene scene = LoadBenchmarkScene(name);
-      const Truth truth = SampleTruth(scene, points, lightPoints, truthSeed);
+      const SampledRoom room = SampleRoom(scene, points, lightPoints, truthSeed);
       using Key = std::tuple<vtkIdType, int, int>;
       std::map<Key, VectorsOfScene> made;
       for (const ConeParameters& parameters : sets)
@@ -227,17 +182,22 @@ int main(int argc, char* argv[])
         }
         const VectorsOfScene& traced = made[key];
         const ConesOfScene cones = MakeCones(traced, parameters);
-        const Accuracy accuracy = Measure(truth, cones.Cones);
+        const AccuracyTally found = Measure(room, cones.Cones);
+        const double rayTime = NanosecondsPerRay(room, cones.Cones);
         const long long count = traced.Vectors->GetNumberOfPoints();
-        std::printf("%-10s %8lld %6zu %9.4f %8.5f %9.4f %8.5f %8.4f %9.3f %7.3f %7.0f  %s\n", scene.Name.c_str(), count,
-          cones.Cones.size(), cones.Discarded, accuracy.Recall, accuracy.Precision, 1.0 - accuracy.Recall,
-          accuracy.Lost, traced.Seconds, cones.Seconds, accuracy.NanosecondsPerRay, Describe(parameters).c_str());
+        const auto print = [&](std::FILE* file, const char* format)
+        {
+          std::fprintf(file, format, scene.Name.c_str(), count, cones.Cones.size(), cones.Discarded,
+            found.Recall().Value, found.Precision().Value, found.IoU().Value, found.Leak().Value, found.Lost().Value,
+            found.LightPrecision().Value, found.UmbraPrecision().Value, found.UmbraRecall().Value, traced.Seconds,
+            cones.TuningSeconds, cones.Seconds, rayTime, Describe(parameters).c_str());
+        };
+        print(stdout,
+          "%-10s %8lld %6zu %9.4f %8.5f %9.4f %8.4f %8.5f %8.4f %8.4f %8.4f %8.4f %10.3f %9.3f %7.3f %7.0f  %s\n");
         std::fflush(stdout);
         if (table)
         {
-          std::fprintf(table, "%s,%lld,%zu,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%.0f,\"%s\"\n", scene.Name.c_str(), count,
-            cones.Cones.size(), cones.Discarded, accuracy.Recall, accuracy.Precision, 1.0 - accuracy.Recall,
-            accuracy.Lost, traced.Seconds, cones.Seconds, accuracy.NanosecondsPerRay, Describe(parameters).c_str());
+          print(table, "%s,%lld,%zu,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f,%.4f,%.4f,%.4f,%.0f,\"%s\"\n");
         }
       }
     }

@@ -3,11 +3,14 @@
 
 #include "scAdapters.h"
 #include "vtkAreaLightSource.h"
+#include "vtkConeSetAccuracy.h"
 #include "vtkConeSetFilter.h"
 #include "vtkConeSetGeometry.h"
+#include "vtkConeSetProbe.h"
 #include "vtkLabelOccluders.h"
 #include "vtkScatteringImageFilter.h"
 #include "vtkShadowVectorFilter.h"
+#include "vtkShadowVolume.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
@@ -123,9 +126,9 @@ Setting ShadowVectors(Size size, bool target, bool hitPoint)
 {
   auto filter = vtkSmartPointer<vtkShadowVectorFilter>::New();
   filter->SetStorage(hitPoint ? vtkShadowVectorFilter::HIT_POINT : vtkShadowVectorFilter::BACK_SIDE);
-  const vtkIdType count = size == Size::Small ? 20000 : 1000000;
+  const vtkIdType count = size == Size::Small ? 40000 : 1000000;
   filter->SetNumberOfPhotons(count);
-  filter->SetTargetNumberOfVectors(target ? count / 10 : 0);
+  filter->SetTargetNumberOfVectors(target ? count / 4 : 0);
   return { filter, { { 0, Room() }, { 1, Lamp() } } };
 }
 
@@ -145,7 +148,43 @@ Setting ConeSet(Size size, bool overlap, bool paths)
 Setting ConeSetGeometry(Size size)
 {
   auto filter = vtkSmartPointer<vtkConeSetGeometry>::New();
-  return { filter, { { 0, ManyCones(size == Size::Small ? 5000 : 150000) } } };
+  filter->SetResolution(size == Size::Small ? 6 : 24);
+  return { filter, { { 0, ManyCones(size == Size::Small ? 3500 : 150000) } } };
+}
+
+Setting ConeSetAccuracy(Size size)
+{
+  auto filter = vtkSmartPointer<vtkConeSetAccuracy>::New();
+  filter->SetNumberOfSamples(size == Size::Small ? 8000 : 400000);
+  filter->SetNumberOfLightSamples(32);
+  filter->SetBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
+  return { filter, { { 1, Cones() }, { 2, Room() }, { 3, Lamp() } } };
+}
+
+Setting ShadowVolume(Size size, int umbra)
+{
+  auto filter = vtkSmartPointer<vtkShadowVolume>::New();
+  filter->SetUmbra(umbra);
+  filter->SetBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
+  filter->SetResolution(size == Size::Small ? 12 : 150);
+  return { filter, { { 0, Cones() } } };
+}
+
+/// Asks at points of a grid in the room.
+Setting ConeSetProbe(Size size, int method)
+{
+  auto filter = vtkSmartPointer<vtkConeSetProbe>::New();
+  filter->SetMethod(method);
+  const int edge = size == Size::Small ? 16 : 90;
+  std::vector<double> points;
+  for (int k = 0; k < edge * edge * edge; ++k)
+  {
+    points.insert(points.end(),
+      { 5.0 * (k % edge) / edge - 2.5, 5.0 * (k / edge % edge) / edge, 5.0 * (k / edge / edge) / edge - 2.5 });
+  }
+  auto grid = vtkSmartPointer<vtkPolyData>::New();
+  shadowcones::SetVertices(grid, points);
+  return { filter, { { 0, grid }, { 1, Cones() }, { 2, Lamp() }, { 3, Room() } } };
 }
 
 Setting ScatteringImage(Size size, int mode)
@@ -189,6 +228,11 @@ const std::vector<Case>& AllCases()
     { "ConeSet", [](Size size) { return ConeSet(size, false, true); } },
     { "ConeSetOverlap", [](Size size) { return ConeSet(size, true, false); } },
     { "ConeSetGeometry", ConeSetGeometry },
+    { "ConeSetAccuracy", ConeSetAccuracy },
+    { "ShadowVolumeInnerCones", [](Size size) { return ShadowVolume(size, vtkShadowVolume::INNER_CONES); } },
+    { "ShadowVolumeBaseDiscs", [](Size size) { return ShadowVolume(size, vtkShadowVolume::BASE_DISCS); } },
+    { "ConeSetProbeExact", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::EXACT); }, true, false },
+    { "ConeSetProbeSoft", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::SOFT); }, true, false },
     { "ScatteringBruteForce", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::BruteForce); } },
     { "ScatteringMedium", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Medium); } },
     { "ScatteringFast", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Fast); } },

@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <set>
 
@@ -84,6 +85,10 @@ NamedBytes BytesOf(vtkDataObject* data)
 {
   NamedBytes named;
   AddArrays(data->GetFieldData(), "field ", named);
+  if (auto* table = vtkTable::SafeDownCast(data))
+  {
+    AddArrays(table->GetRowData(), "row ", named);
+  }
   auto* set = vtkDataSet::SafeDownCast(data);
   if (!set)
   {
@@ -185,6 +190,10 @@ std::string Difference(const NamedBytes& a, const NamedBytes& b)
 
 bool IsEmpty(vtkDataObject* data)
 {
+  if (auto* table = vtkTable::SafeDownCast(data))
+  {
+    return table->GetNumberOfRows() == 0;
+  }
   auto* set = vtkDataSet::SafeDownCast(data);
   if (!set)
   {

@@ -118,11 +118,12 @@ TEST_P(Promises, PiecesJoinToTheWhole)
   const Setting parts = Connected(GetParam());
   for (int port = 0; port < whole.Filter->GetNumberOfOutputPorts(); ++port)
   {
-    const NamedBytes truth = CellSoup(whole.Filter->GetOutputDataObject(port));
-    if (vtkImageData::SafeDownCast(whole.Filter->GetOutputDataObject(port)))
+    vtkDataObject* output = whole.Filter->GetOutputDataObject(port);
+    if (!vtkDataSet::SafeDownCast(output) || vtkImageData::SafeDownCast(output))
     {
-      continue; // see ExtentsJoinToTheWhole
+      continue; // tables are whole in piece 0; images: see ExtentsJoinToTheWhole
     }
+    const NamedBytes truth = CellSoup(output);
     for (const int pieces : { 4, 3 })
     {
       NamedBytes joined;

@@ -59,9 +59,9 @@ def main():
         # VTK's own warnings and errors do not change the exit status.
         if "ERR|" in result.stderr or "WARN|" in result.stderr or "Warning:" in result.stderr:
             raise SystemExit("there were warnings or errors")
-        faults = [f"{name} {fault(os.path.join(folder, name))}" for name in expected if fault(os.path.join(folder, name))]
-        if faults:
-            raise SystemExit("; ".join(faults))
+        faults = {name: fault(os.path.join(folder, name)) for name in expected}
+        if any(faults.values()):
+            raise SystemExit("; ".join(f"{name} {what}" for name, what in faults.items() if what))
 
 
 if __name__ == "__main__":

@@ -20,7 +20,8 @@ class Help(unittest.TestCase):
     def test_help(self):
         for name in examples():
             with self.subTest(name):
-                result = subprocess.run([sys.executable, os.path.join(FOLDER, name), "--help"], text=True, capture_output=True)
+                command = [sys.executable, os.path.join(FOLDER, name), "--help"]
+                result = subprocess.run(command, text=True, capture_output=True)
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertIn("--output", result.stdout)
                 self.assertIn("default:", result.stdout)

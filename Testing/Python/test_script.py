@@ -14,7 +14,8 @@ from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-DATA = os.environ.get("SHADOWCONES_DATA_DIR", os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data"))
+HERE = os.path.dirname(os.path.abspath(__file__))
+DATA = os.environ.get("SHADOWCONES_DATA_DIR", os.path.join(HERE, "..", "..", "Data"))
 FLOAT, INT = np.float32, np.int32
 
 
@@ -48,7 +49,8 @@ class Script(unittest.TestCase):
         cones.SetInputConnection(vectors.GetOutputPort(0)); cones.SetPhotonPathConnection(vectors.GetOutputPort(1))
         cones.SetTuningToManual(); cones.SetNumberOfNeighbors(100); cones.SetNumberOfSectors(20)
         cones.SetPointsPerRing(16); cones.SetMinimumVectorsPerCone(20)
-        cones.SetVarianceThreshold(1.6); cones.SetExpansionToMaximumDeviation(); cones.SetExpansionFraction(1.0); cones.SetOverlap(False)
+        cones.SetVarianceThreshold(1.6); cones.SetExpansionToMaximumDeviation(); cones.SetExpansionFraction(1.0)
+        cones.SetOverlap(False)
 
         image = sc.vtkScatteringImageFilter()
         image.SetInputConnection(occluders.GetOutputPort()); image.SetLightConnection(light.GetOutputPort())
@@ -127,8 +129,9 @@ class Script(unittest.TestCase):
         output = self.image.GetOutput()
         self.assertEqual(output.GetDimensions(), (24, 20, 1))
         self.check(output.GetPointData(), 480, [
-            ("Radiance", FLOAT, 7), ("InScattering", FLOAT, 7), ("SurfaceRadiance", FLOAT, 7), ("Transmittance", FLOAT, 7),
-            ("Depth", FLOAT, 1), ("RelativeError", FLOAT, 1), ("SampleCount", INT, 1), ("RGB", np.uint8, 3)])
+            ("Radiance", FLOAT, 7), ("InScattering", FLOAT, 7), ("SurfaceRadiance", FLOAT, 7),
+            ("Transmittance", FLOAT, 7), ("Depth", FLOAT, 1), ("RelativeError", FLOAT, 1),
+            ("SampleCount", INT, 1), ("RGB", np.uint8, 3)])
         self.assertEqual(output.GetPointData().GetScalars().GetName(), "RGB")
         self.assertGreater(output.GetFieldData().GetArray("NumberOfOcclusionRays").GetTuple1(0), 0)
         self.assertTrue((vtk_to_numpy(output.GetPointData().GetArray("InScattering")) >= 0.0).all())
@@ -184,7 +187,8 @@ class Script(unittest.TestCase):
         occluders = sc.vtkLabelOccluders()
         occluders.SetInputData(blocks)
         occluders.Update()
-        self.assertEqual(vtk_to_numpy(occluders.GetOutput().GetCellData().GetArray("OccluderId")).tolist(), [0, 0, 1, 1, 2, 2])
+        ids = vtk_to_numpy(occluders.GetOutput().GetCellData().GetArray("OccluderId"))
+        self.assertEqual(ids.tolist(), [0, 0, 1, 1, 2, 2])
 
     def test_a_fault_is_said_and_survived(self):
         said = []

@@ -165,8 +165,8 @@ TEST(ConeAccuracy, SamplesFillTheBoxEvenly)
 
 TEST(ConeAccuracy, TruthOfADiscIsItsClosedForm)
 {
-  // Light radius 0.5 at height 4, occluder radius 0.25 at height 3: on the axis at depth d below it the shadow covers a disc of
-  // radius 0.25 (1 + d) / d ... of the light: visible is 1 - (0.25 (1 + d) / d / 0.5)^2 where that is positive.
+  // Light radius 0.5 at height 4, occluder radius 0.25 at height 3: on the axis at depth d below it the shadow covers a
+  // disc of radius 0.25 (1 + d) / d ... of the light: visible is 1 - (0.25 (1 + d) / d / 0.5)^2 where that is positive.
   const Light light = DiscLight({ 0.0, 0.0, 4.0 }, { 0.0, 0.0, -1.0 }, 0.5);
   const Mesh mesh = DiscMesh({ 0.0, 0.0, 3.0 }, 0.25, 512, 4);
   const OccluderScene scene(mesh.View());

@@ -197,14 +197,15 @@ TEST_P(VisibilityOfLight, ErrorsAreAsStated)
 }
 
 INSTANTIATE_TEST_SUITE_P(Visibility, VisibilityOfLight,
-  testing::Values(LightShape::Disc, LightShape::Rectangle, LightShape::Sphere, LightShape::Point, LightShape::Sun,
-    LightShape::Mesh));
+  testing::Values(
+    LightShape::Disc, LightShape::Rectangle, LightShape::Sphere, LightShape::Point, LightShape::Sun, LightShape::Mesh));
 
 // Big discs right at the light, edge on to it or around it, have no penumbra cone and must still be found.
 TEST(SurfelVisibility, DiscsNextToTheLight)
 {
   const Light light = MakeLight(LightShape::Disc);
-  const std::vector<Cone> discs = { Disc({ 0.3, 0.0, 0.2 }, { 1.0, 0.0, 0.1 }, 1.0), Disc({ 0.0, 0.5, 0.05 }, { 0.0, 0.2, 1.0 }, 0.5) };
+  const std::vector<Cone> discs = { Disc({ 0.3, 0.0, 0.2 }, { 1.0, 0.0, 0.1 }, 1.0),
+    Disc({ 0.0, 0.5, 0.05 }, { 0.0, 0.2, 1.0 }, 0.5) };
   const DiscMesh mesh(discs, 4096);
   const OccluderScene scene(mesh.View());
   const VisibilityProbe soft(discs, light, nullptr, room, Options(VisibilityMethod::Soft, 64));
@@ -261,8 +262,9 @@ TEST(SurfelVisibility, ManyDiscsThroughTheTree)
 TEST(SurfelVisibility, ClassesAndOccluders)
 {
   const Light light = MakeLight(LightShape::Disc);
-  const VisibilityProbe probe({ Disc({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 }, 1.0, 6), Disc({ 0.0, 0.0, 1.9 }, { 0.0, 0.0, 1.0 }, 1.0, 3) },
-    light, nullptr, room, Options(VisibilityMethod::Soft, 64));
+  const VisibilityProbe probe(
+    { Disc({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 }, 1.0, 6), Disc({ 0.0, 0.0, 1.9 }, { 0.0, 0.0, 1.0 }, 1.0, 3) }, light,
+    nullptr, room, Options(VisibilityMethod::Soft, 64));
   const PointVisibility umbra = probe.At({ 0.0, 0.0, 2.5 });
   EXPECT_EQ(umbra.Fraction, 0.0);
   EXPECT_EQ(umbra.Class, ShadowClass::Umbra);

@@ -340,7 +340,8 @@ TEST_F(ConeSetProbe, LeavesTheInputAlone)
   for (vtkIdType i = 0; i < 8; ++i)
   {
     EXPECT_EQ(mesh->GetPointData()->GetArray("OccluderId")->GetComponent(i, 0), i + 1.0);
-    EXPECT_EQ(std::memcmp(mesh->GetPoint(i), std::vector<double>(copy->GetPoint(i), copy->GetPoint(i) + 3).data(), 24), 0);
+    EXPECT_EQ(
+      std::memcmp(mesh->GetPoint(i), std::vector<double>(copy->GetPoint(i), copy->GetPoint(i) + 3).data(), 24), 0);
   }
 }
 
@@ -540,7 +541,8 @@ TEST_F(ConeSetProbe, EmptyInputsAreValid)
     this->Filter->SetAssociation(association);
     const vtkSmartPointer<vtkDataSet> output = this->Probed(nothing);
     EXPECT_EQ(output->GetNumberOfPoints(), 0);
-    vtkDataSetAttributes* data = association ? static_cast<vtkDataSetAttributes*>(output->GetCellData()) : output->GetPointData();
+    vtkDataSetAttributes* data =
+      association ? static_cast<vtkDataSetAttributes*>(output->GetCellData()) : output->GetPointData();
     EXPECT_EQ(data->GetNumberOfArrays(), 4);
   }
   this->Filter->SetAssociationToPoints();
@@ -608,7 +610,8 @@ TEST_F(ConeSetProbe, PrintsEveryParameter)
 {
   std::ostringstream text;
   this->Filter->Print(text);
-  for (const char* line : { "Method: Exact", "Association: Points", "NumberOfLightSamples: 64", "UseNormals: on", "Seed: 1" })
+  for (const char* line :
+    { "Method: Exact", "Association: Points", "NumberOfLightSamples: 64", "UseNormals: on", "Seed: 1" })
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line;
   }

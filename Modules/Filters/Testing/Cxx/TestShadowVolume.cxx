@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkShadowVolume: volumes that can be written down, closed and manifold surfaces of any cones, what VTK makes of them, messages.
+// vtkShadowVolume: volumes that can be written down, closed manifolds of any cones, what VTK makes of them, messages.
 #include "vtkShadowVolume.h"
 
 #include "scAdapters.h"
+#include "scLightData.h"
 #include "scRandom.h"
 
 #include "vtkBooleanOperationPolyDataFilter.h"
@@ -307,6 +308,45 @@ TEST(ShadowVolume, VolumesOfOneCone)
   }
 }
 
+TEST(ShadowVolume, DiscsTogetherHideMoreThanEachAlone)
+{
+  // A disc of radius 0.5 out of seven overlapping ones, under a disc light of radius 0.2 two units away.
+  Light light;
+  light.Normal = { 0.0, 0.0, 1.0 };
+  light.Radius = 0.2;
+  light.Spectrum = { 1.0 };
+  ASSERT_EQ(PrepareLight(light), nullptr);
+  std::vector<Cone> seven = { MakeCone({ 0.0, 0.0, 2.0 }, 0.25, 0.2, -0.2) };
+  for (int k = 0; k < 6; ++k)
+  {
+    const double angle = pi * k / 3.0;
+    seven.push_back(MakeCone({ 0.25 * std::cos(angle), 0.25 * std::sin(angle), 2.0 }, 0.25, 0.2, -0.2));
+  }
+  const auto umbra = [&](const std::vector<Cone>& cones, int method)
+  {
+    const Data coneSet = MakeConeSet(cones);
+    WriteLightFieldData(light, coneSet);
+    auto filter = Filter::New();
+    filter->SetInputData(coneSet);
+    filter->SetLength(1.0);
+    filter->SetUmbra(method);
+    filter->Update();
+    return ExpectSolid(filter->GetOutput(1));
+  };
+  // One disc: the umbra that can be written down, from either method.
+  const double radius = 0.5 + (0.5 - 0.2) / 2.0;
+  const double exact = Frustum(1.0, 0.5, radius);
+  const std::vector<Cone> one = { MakeCone({ 0.0, 0.0, 2.0 }, 0.5, 0.3, std::atan(0.15)) };
+  EXPECT_NEAR(umbra(one, vtkShadowVolume::INNER_CONES) / exact, 1.0, 0.015);
+  EXPECT_NEAR(umbra(one, vtkShadowVolume::BASE_DISCS) / exact, 1.0, 0.025);
+  // The flower's shape: between its inscribed circle (where petals meet) and its circumscribed one.
+  const double alone = umbra(seven, vtkShadowVolume::INNER_CONES);
+  const double together = umbra(seven, vtkShadowVolume::BASE_DISCS);
+  EXPECT_GT(together, 2.0 * alone);
+  EXPECT_LT(together, exact);
+  EXPECT_GT(together, Frustum(1.0, 0.433, 0.433 + 0.5 * (0.433 - 0.2)));
+}
+
 TEST(ShadowVolume, BoundsCloseTheSurface)
 {
   const Data cones = MakeConeSet({ MakeCone({}, 0.5, 0.2, -0.2) });
@@ -361,8 +401,8 @@ TEST(ShadowVolume, AnyConesGiveClosedManifolds)
 
 TEST(ShadowVolume, OneSurfaceAnOccluder)
 {
-  const Data cones =
-    MakeConeSet({ MakeCone({}, 0.5, 0.1, -0.1, 9), MakeCone({ 0.3, 0.0, 0.0 }, 0.5, 0.1, -0.1, 4), MakeCone({ 0.0, 0.2, 0.0 }, 0.5, 0.1, -0.1, 9) });
+  const Data cones = MakeConeSet({ MakeCone({}, 0.5, 0.1, -0.1, 9), MakeCone({ 0.3, 0.0, 0.0 }, 0.5, 0.1, -0.1, 4),
+    MakeCone({ 0.0, 0.2, 0.0 }, 0.5, 0.1, -0.1, 9) });
   auto filter = Volume(cones, 1.0);
   const Data both = filter->GetOutput(0);
   const auto ids = Ids(both);
@@ -401,7 +441,8 @@ TEST(ShadowVolume, BooleanOperations)
   triangles->Update();
   const double whole = VolumeOf(filter->GetOutput());
   double parts = 0.0;
-  for (const int operation : { vtkBooleanOperationPolyDataFilter::VTK_INTERSECTION, vtkBooleanOperationPolyDataFilter::VTK_DIFFERENCE })
+  for (const int operation :
+    { vtkBooleanOperationPolyDataFilter::VTK_INTERSECTION, vtkBooleanOperationPolyDataFilter::VTK_DIFFERENCE })
   {
     vtkNew<vtkBooleanOperationPolyDataFilter> boolean;
     boolean->SetInputData(0, filter->GetOutput());
@@ -496,7 +537,8 @@ TEST(ShadowVolume, ProgressAbortInput)
   {
     for (vtkIdType k = 0; k < before->GetPointData()->GetArray(i)->GetNumberOfValues(); ++k)
     {
-      EXPECT_EQ(before->GetPointData()->GetArray(i)->GetVariantValue(k), cones->GetPointData()->GetArray(i)->GetVariantValue(k));
+      EXPECT_EQ(before->GetPointData()->GetArray(i)->GetVariantValue(k),
+        cones->GetPointData()->GetArray(i)->GetVariantValue(k));
     }
   }
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
@@ -551,8 +593,15 @@ TEST(ShadowVolume, Messages)
   }
   ExpectHas(Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetBounds(0, 1, 1, 0, 0, 1); }), "Bounds are 0, 1, 1, 0");
   ExpectHas(Error([=](vtkShadowVolume* f, vtkPolyData*) { f->SetBounds(0, 1, 0, nan, 0, 1); }), "Bounds are");
+  ExpectHas(Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetUmbra(2); }), "Umbra is 2");
+  ExpectHas(Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetUmbraToBaseDiscs(); }), "does not carry the light");
   ExpectHas(Error([](vtkShadowVolume*, vtkPolyData* c) { c->GetPointData()->RemoveArray("Axis"); }), "Axis");
-  ExpectHas(Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetResolution(1024); f->SetBounds(-1, 1, -1, 1, 0, 2); }),
+  ExpectHas(Error(
+              [](vtkShadowVolume* f, vtkPolyData*)
+              {
+                f->SetResolution(1024);
+                f->SetBounds(-1, 1, -1, 1, 0, 2);
+              }),
     "The outer bound of occluder 7 needs");
   ExpectHas(Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetLength(1e308); }), "beyond double precision");
   ExpectHas(
@@ -564,7 +613,8 @@ TEST(ShadowVolume, PrintsEveryMember)
 {
   std::ostringstream text;
   Filter::New()->Print(text);
-  for (const char* part : { "Resolution: 64", "Bounds: 1, -1, 1, -1, 1, -1", "Length: 0", "PerOccluder: on" })
+  for (const char* part :
+    { "Resolution: 64", "Bounds: 1, -1, 1, -1, 1, -1", "Length: 0", "Umbra: InnerCones", "PerOccluder: on" })
   {
     ExpectHas(text.str(), part);
   }
