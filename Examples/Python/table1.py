@@ -3,7 +3,8 @@
 """Seconds, error and occlusion rays of each mode for chair and tree (the paper's table 1), as Markdown and JSON.
 
 The work is done by the benchmark program scattering-table: its truth is the reference implementation of
-Testing/Reference, which shares no light rule with any mode. The reference is kept in the output folder from one run to the next.
+Testing/Reference, which shares no light rule with any mode. The reference is kept in the output folder from one run to
+the next.
 """
 
 import argparse

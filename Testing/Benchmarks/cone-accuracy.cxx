@@ -87,8 +87,8 @@ int main(int argc, char* argv[])
   std::vector<vtkIdType> vectors = { 5800, 50000 };
   std::vector<int> storage, p1, p2, p3, p4, expansion, cosine, overlap, seeds;
   std::vector<double> variance, planarity, fraction;
-  int points = 200000;
-  int lightPoints = 16;
+  int points = 50000;
+  int lightPoints = 64;
   int truthSeed = 20240;
   std::string csv;
   const std::map<std::string, int> storages = { { "BackSide", 0 }, { "HitPoint", 1 } };

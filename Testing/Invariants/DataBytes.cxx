@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <set>
@@ -37,7 +38,14 @@ std::string Bytes(vtkAbstractArray* array)
   {
     Append(bytes, &head, 1);
   }
-  if (array->GetDataTypeSize() > 0)
+  if (auto* strings = vtkStringArray::SafeDownCast(array))
+  {
+    for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
+    {
+      bytes += strings->GetValue(i) + '\0';
+    }
+  }
+  else if (array->GetDataTypeSize() > 0)
   {
     bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
       static_cast<std::size_t>(array->GetNumberOfValues()) * static_cast<std::size_t>(array->GetDataTypeSize()));

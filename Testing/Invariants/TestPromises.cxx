@@ -68,10 +68,12 @@ public:
     , Call(std::move(call))
   {
     this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
-      auto* observer = static_cast<OnProgress*>(self);
-      observer->Call(observer->Filter);
-    });
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*)
+      {
+        auto* observer = static_cast<OnProgress*>(self);
+        observer->Call(observer->Filter);
+      });
     this->Tag = filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
   }
   ~OnProgress() { this->Filter->RemoveObserver(this->Tag); }
@@ -90,8 +92,9 @@ private:
 TEST_P(Promises, ThreadsDoNotChangeABit)
 {
   NamedBytes reference;
-  for (const auto& [backend, threads] : { std::make_pair("Sequential", 1), std::make_pair("STDThread", 1),
-         std::make_pair("STDThread", 2), std::make_pair("STDThread", 5), std::make_pair("TBB", 1), std::make_pair("TBB", 2) })
+  for (const auto& [backend, threads] :
+    { std::make_pair("Sequential", 1), std::make_pair("STDThread", 1), std::make_pair("STDThread", 2),
+      std::make_pair("STDThread", 5), std::make_pair("TBB", 1), std::make_pair("TBB", 2) })
   {
     if (!vtkSMPTools::SetBackend(backend))
     {
@@ -163,7 +166,9 @@ TEST_P(Promises, OnePortInPiecesLeavesTheOthersWhole)
   UpdatePort(setting.Filter, 0, 2, 4);
   const int last = setting.Filter->GetNumberOfOutputPorts() - 1;
   UpdatePort(setting.Filter, last, 0, 1);
-  EXPECT_EQ(Difference(BytesOf(whole.Filter->GetOutputDataObject(last)), BytesOf(setting.Filter->GetOutputDataObject(last))), "");
+  EXPECT_EQ(
+    Difference(BytesOf(whole.Filter->GetOutputDataObject(last)), BytesOf(setting.Filter->GetOutputDataObject(last))),
+    "");
 }
 
 TEST_P(Promises, ExtentsJoinToTheWhole)
@@ -212,7 +217,8 @@ TEST_P(Promises, ExtentsJoinToTheWhole)
           ASSERT_NE(found, nullptr) << expected->GetName();
           for (int c = 0; c < expected->GetNumberOfComponents(); ++c)
           {
-            different += expected->GetComponent(image->ComputePointId(p), c) != found->GetComponent(part->ComputePointId(p), c);
+            different +=
+              expected->GetComponent(image->ComputePointId(p), c) != found->GetComponent(part->ComputePointId(p), c);
           }
         }
       }
@@ -247,14 +253,16 @@ TEST_P(Promises, AbortStopsSoonAndLeavesNothing)
   Messages messages(setting.Filter);
   Clock::time_point stopped;
   double progress = -1.0;
-  OnProgress observer(setting.Filter, [&](vtkAlgorithm* filter) {
-    if (filter->GetProgress() > 0.0 && progress < 0.0)
+  OnProgress observer(setting.Filter,
+    [&](vtkAlgorithm* filter)
     {
-      progress = filter->GetProgress();
-      stopped = Clock::now();
-      filter->SetAbortExecute(1);
-    }
-  });
+      if (filter->GetProgress() > 0.0 && progress < 0.0)
+      {
+        progress = filter->GetProgress();
+        stopped = Clock::now();
+        filter->SetAbortExecute(1);
+      }
+    });
   setting.Filter->Update();
   const double seconds = std::chrono::duration<double>(Clock::now() - stopped).count();
   EXPECT_GT(progress, 0.0);
@@ -278,12 +286,14 @@ TEST_P(Promises, ARunAfterAnAbortIsComplete)
   reference.Filter->Update();
   const Setting setting = Connected(GetParam());
   {
-    OnProgress observer(setting.Filter, [](vtkAlgorithm* filter) {
-      if (filter->GetProgress() > 0.0 && filter->GetProgress() < 1.0)
+    OnProgress observer(setting.Filter,
+      [](vtkAlgorithm* filter)
       {
-        filter->SetAbortExecute(1);
-      }
-    });
+        if (filter->GetProgress() > 0.0 && filter->GetProgress() < 1.0)
+        {
+          filter->SetAbortExecute(1);
+        }
+      });
     setting.Filter->Update();
     EXPECT_TRUE(IsEmpty(setting.Filter->GetOutputDataObject(0)));
   }
@@ -326,5 +336,5 @@ TEST_P(Promises, ASecondUpdateDoesNothing)
   EXPECT_EQ(setting.Filter->GetOutputDataObject(0)->GetMTime(), time);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Every, Promises, testing::ValuesIn(AllCases()), [](const testing::TestParamInfo<Case>& info) { return info.param.Name; });
+INSTANTIATE_TEST_SUITE_P(Every, Promises, testing::ValuesIn(AllCases()),
+  [](const testing::TestParamInfo<Case>& info) { return info.param.Name; });

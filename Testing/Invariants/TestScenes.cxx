@@ -192,7 +192,8 @@ TEST(Scenes, FarAwayAndTinyGiveTheSameCones)
 TEST(Scenes, FarAwayAndTinyGiveTheSameImage)
 {
   const auto chair = ReadData("chair.vtp");
-  const auto render = [&](double scale, double offset) {
+  const auto render = [&](double scale, double offset)
+  {
     Chain chain(Placed(chair, scale, offset), RoomLamp(scale, offset), 3000);
     vtkNew<vtkCamera> camera;
     camera->SetPosition(offset, 2.75 * scale + offset, 12.5 * scale + offset);
@@ -213,7 +214,8 @@ TEST(Scenes, FarAwayAndTinyGiveTheSameImage)
     copy->DeepCopy(image->GetOutput());
     return copy;
   };
-  const auto mean = [](vtkImageData* image) {
+  const auto mean = [](vtkImageData* image)
+  {
     vtkDataArray* array = image->GetPointData()->GetArray("InScattering");
     double sum = 0.0;
     for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
@@ -260,7 +262,8 @@ TEST(Scenes, ACameraInsideAnOccluderSeesItsInside)
   vtkNew<vtkCamera> camera;
   camera->SetPosition(0.1, 2.0, 0.2);
   camera->SetFocalPoint(0.0, 2.1, -3.0);
-  for (const int mode : { vtkScatteringImageFilter::BruteForce, vtkScatteringImageFilter::Medium, vtkScatteringImageFilter::Fast })
+  for (const int mode :
+    { vtkScatteringImageFilter::BruteForce, vtkScatteringImageFilter::Medium, vtkScatteringImageFilter::Fast })
   {
     Chain chain(box, RoomLamp(), 1000);
     vtkNew<vtkScatteringImageFilter> image;

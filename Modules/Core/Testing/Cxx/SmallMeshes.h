@@ -45,7 +45,8 @@ struct Mesh
     this->OccluderIds.push_back(occluder);
   }
   /// A parallelogram; its normal is u x v.
-  void AddSheet(const shadowcones::Vector3& corner, const shadowcones::Vector3& u, const shadowcones::Vector3& v, int occluder)
+  void AddSheet(
+    const shadowcones::Vector3& corner, const shadowcones::Vector3& u, const shadowcones::Vector3& v, int occluder)
   {
     const vtkIdType a = this->AddPoint(corner);
     this->AddPoint(corner + u);
@@ -82,7 +83,8 @@ struct Mesh
         const double theta = Pi * i / rings;
         const double phi = 2.0 * Pi * k / around;
         this->AddPoint(center +
-          radius * shadowcones::Vector3{ std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta) });
+          radius *
+            shadowcones::Vector3{ std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta) });
       }
     }
     const vtkIdType bottom = this->AddPoint(center - shadowcones::Vector3{ 0.0, 0.0, radius });
@@ -111,7 +113,8 @@ inline shadowcones::Light Prepared(shadowcones::Light light)
   return light;
 }
 
-inline shadowcones::Light DiscLight(const shadowcones::Vector3& center, const shadowcones::Vector3& normal, double radius)
+inline shadowcones::Light DiscLight(
+  const shadowcones::Vector3& center, const shadowcones::Vector3& normal, double radius)
 {
   shadowcones::Light light;
   light.Shape = shadowcones::LightShape::Disc;

@@ -60,7 +60,8 @@ struct DiscOfVectors
     options.Expansion = expansion;
     options.ExpansionFraction = fraction;
     ConeSet set;
-    EXPECT_TRUE(FitConeSet({ 97, this->Points.data(), this->Directions.data(), nullptr, nullptr }, {}, light, options, {}, set));
+    EXPECT_TRUE(
+      FitConeSet({ 97, this->Points.data(), this->Directions.data(), nullptr, nullptr }, {}, light, options, {}, set));
     EXPECT_EQ(set.Cones.size(), 1u);
     return set.Cones.empty() ? Cone() : set.Cones[0];
   }
@@ -115,7 +116,7 @@ TEST(PenumbraAngles, OfATiltedDiscAreReachedAtItsExtremePoints)
 
 TEST(PenumbraAngles, OfASphereAreTangents)
 {
-  // On the axis: asin of the tangent from the rim, by the closed form of section 2 of the tests' notes.
+  // The extremes over all points of the sphere, on the axis and beside it.
   for (const Vector3& center : { Vector3{ 0.0, 0.0, 3.0 }, Vector3{ 0.8, -0.4, 3.0 } })
   {
     const double bigR = 0.6;
@@ -129,8 +130,8 @@ TEST(PenumbraAngles, OfASphereAreTangents)
       {
         const double theta = Pi * i / 720;
         const double phi = 2.0 * Pi * k / 720;
-        const Vector3 p = center +
-          bigR * Vector3{ std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta) };
+        const Vector3 p =
+          center + bigR * Vector3{ std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta) };
         const double lateral = std::hypot(p.X, p.Y);
         outer = std::max(outer, std::atan((r + lateral) / p.Z));
         inner = std::min(inner, std::atan((r - lateral) / p.Z));
@@ -199,7 +200,8 @@ TEST(LightExtent, OfEmissionPointsHoldsThemAll)
   double farthest = 0.0;
   for (int i = 0; i < 100; ++i)
   {
-    farthest = std::max(farthest, Length(Vector3{ points[3 * i], points[3 * i + 1], points[3 * i + 2] } - extent.Center));
+    farthest =
+      std::max(farthest, Length(Vector3{ points[3 * i], points[3 * i + 1], points[3 * i + 2] } - extent.Center));
   }
   EXPECT_NEAR(extent.Radius, farthest, 1e-12);
   EXPECT_LT(extent.Radius, 2.0);
@@ -215,20 +217,26 @@ TEST(ConeExpansion, MaximumDeviationIsTheWidestVector)
   EXPECT_NEAR(cone.HalfAngle, std::atan(0.25), 3e-3); // the mean of 97 directions is not quite the axis
   EXPECT_NEAR(cone.InnerHalfAngle, std::atan(0.25), 3e-3);
   // One outlier widens it to that vector's own angle.
-  const DiscOfVectors outlier([](const Vector3& p) { return Length(p) < 1e-9 ? Vector3{ 0.5, 0.0, -1.0 } : Vector3{ 0.0, 0.0, -1.0 }; });
+  const DiscOfVectors outlier([](const Vector3& p) { return Length(p) < 1e-9 ? Vector3{ 0.5, 0.0, -1.0 } : Down; });
   EXPECT_NEAR(outlier.Fit(ConeExpansion::MaximumDeviation, light).HalfAngle, std::atan(0.5), 6e-3);
 }
 
 TEST(ConeExpansion, RadiusRatioFindsDivergingParallelAndConvergingSets)
 {
   const LightExtent light = LightExtentOf(DiscLight({ 0.0, 0.0, 4.0 }, Down, 0.5));
-  const auto angle = [&](const DiscOfVectors& vectors) { return vectors.Fit(ConeExpansion::RadiusRatio, light).HalfAngle; };
-  EXPECT_NEAR(angle(DiscOfVectors([](const Vector3& p) { return p - Vector3{ 0.0, 0.0, 4.0 }; })), std::atan(0.25), 5e-3);
+  const auto angle = [&](const DiscOfVectors& vectors)
+  { return vectors.Fit(ConeExpansion::RadiusRatio, light).HalfAngle; };
+  EXPECT_NEAR(angle(DiscOfVectors(
+                [](const Vector3& p) {
+                  return p - Vector3{ 0.0, 0.0, 4.0 };
+                })),
+    std::atan(0.25), 5e-3);
   EXPECT_NEAR(angle(DiscOfVectors([](const Vector3&) { return Down; })), 0.0, 1e-6);
   // Towards a focus 5 ahead: a light larger than the base, seen through it.
-  EXPECT_NEAR(angle(DiscOfVectors([](const Vector3& p) { return Vector3{ 0.0, 0.0, -5.0 } - p; })), -std::atan(0.2), 5e-3);
+  const DiscOfVectors converging([](const Vector3& p) { return Vector3{ 0.0, 0.0, -5.0 } - p; });
+  EXPECT_NEAR(angle(converging), -std::atan(0.2), 5e-3);
   // MaximumDeviation cannot tell it from a diverging set.
-  EXPECT_GT(DiscOfVectors([](const Vector3& p) { return Vector3{ 0.0, 0.0, -5.0 } - p; }).Fit(ConeExpansion::MaximumDeviation, light).HalfAngle, 0.1);
+  EXPECT_GT(converging.Fit(ConeExpansion::MaximumDeviation, light).HalfAngle, 0.1);
 }
 
 TEST(ConeExpansion, LightGeometryNeedsNoSampling)

@@ -130,7 +130,8 @@ TEST(IntersectCone, IsWhereThePointsOfTheRayAreInside)
       const bool covered = hit && interval.Begin <= t && t <= interval.End;
       if (std::abs(depth) > 1e-7)
       {
-        ASSERT_EQ(covered, depth > 0.0) << "cone " << i << " angle " << cone.HalfAngle << " t " << t << " depth " << depth;
+        ASSERT_EQ(covered, depth > 0.0) << "cone " << i << " angle " << cone.HalfAngle << " t " << t << " depth "
+                                        << depth;
         ASSERT_EQ(ConeContains(cone, ray.Origin + t * ray.Direction, length), depth > 0.0);
       }
     }
@@ -165,7 +166,8 @@ TEST(IntersectCone, KnowsOnlyTheSheetAhead)
   cone.HalfAngle = Pi / 4.0; // the apex is at z = -0.5, the ghost sheet below it
   RayInterval interval;
   EXPECT_FALSE(IntersectCone(cone, HUGE_VAL, { -9.0, 0.0, -2.0 }, { 1.0, 0.0, 0.0 }, 0.0, 20.0, interval));
-  EXPECT_FALSE(IntersectCone(cone, HUGE_VAL, { -9.0, 0.0, -0.1 }, { 1.0, 0.0, 0.0 }, 0.0, 20.0, interval)); // below the base
+  EXPECT_FALSE(
+    IntersectCone(cone, HUGE_VAL, { -9.0, 0.0, -0.1 }, { 1.0, 0.0, 0.0 }, 0.0, 20.0, interval)); // below the base
   ASSERT_TRUE(IntersectCone(cone, HUGE_VAL, { 0.2, 0.0, -9.0 }, { 0.0, 0.0, 1.0 }, 0.0, 20.0, interval));
   EXPECT_NEAR(interval.Begin, 9.0, 1e-12); // enters through the base
   EXPECT_EQ(interval.End, 20.0);
@@ -205,7 +207,8 @@ TEST(IntersectCone, KeepsItsDigitsFarFromTheOrigin)
 
 TEST(MergeIntervals, JoinsWhatTouches)
 {
-  std::vector<RayInterval> intervals{ { 3.0, 4.0, 1 }, { 0.0, 1.0, 2 }, { 1.0, 2.0, 1 }, { 3.5, 3.6, 2 }, { 6.0, 7.0, 1 } };
+  std::vector<RayInterval> intervals{ { 3.0, 4.0, 1 }, { 0.0, 1.0, 2 }, { 1.0, 2.0, 1 }, { 3.5, 3.6, 2 },
+    { 6.0, 7.0, 1 } };
   std::vector<RayInterval> merged = intervals;
   MergeIntervals(merged);
   ASSERT_EQ(merged.size(), 3u);
@@ -269,10 +272,12 @@ TEST(ConeHierarchy, IsALoopOverAllCones)
             {
               continue;
             }
-            const auto same = std::find_if(other->begin(), other->end(), [&](const RayInterval& o) {
-              return o.OccluderId == interval.OccluderId && std::abs(o.Begin - interval.Begin) < 1e-9 &&
-                std::abs(o.End - interval.End) < 1e-9;
-            });
+            const auto same = std::find_if(other->begin(), other->end(),
+              [&](const RayInterval& o)
+              {
+                return o.OccluderId == interval.OccluderId && std::abs(o.Begin - interval.Begin) < 1e-9 &&
+                  std::abs(o.End - interval.End) < 1e-9;
+              });
             ASSERT_NE(same, other->end()) << "ray " << i << " " << interval.Begin << " " << interval.End;
             ++covered;
           }

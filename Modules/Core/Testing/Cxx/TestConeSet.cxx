@@ -363,7 +363,8 @@ TEST(ConeSetRings, StopWhereTheSurfaceLeavesThePlane)
   }
   ConeSetOptions options = Options(500, 10, 20, 20);
   options.CosineCorrection = false;
-  const auto radius = [&](double threshold) {
+  const auto radius = [&](double threshold)
+  {
     options.PlanarityThreshold = threshold;
     return Fit(vectors, options).Cones.at(0).BaseRadius;
   };
@@ -478,7 +479,8 @@ TEST(ConeSetOverspill, IsTheShareOfLitPathsThroughTheBase)
   std::vector<double> starts;
   std::vector<float> directions;
   std::vector<int> states;
-  const auto overspill = [&](double edge, double end) {
+  const auto overspill = [&](double edge, double end)
+  {
     points.clear();
     starts.clear();
     directions.clear();
@@ -527,7 +529,8 @@ TEST(ConeSetMonitor, AbortStopsAndProgressGrowsToOne)
 TEST(ConeSetOptions, AreCheckedOneByOne)
 {
   EXPECT_EQ(CheckConeSetOptions({}), nullptr);
-  const auto fault = [](auto change) {
+  const auto fault = [](auto change)
+  {
     ConeSetOptions options;
     change(options);
     const char* text = CheckConeSetOptions(options);

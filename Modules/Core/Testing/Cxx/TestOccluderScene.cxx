@@ -146,7 +146,8 @@ TEST_P(OccluderScenePlaces, RangesCutHitsOff)
   const Vector3 up{ 0.0, 0.0, 1.0 };
   const double unit = place.Scale;
   std::vector<RayHit> hits;
-  const auto count = [&](double tMin, double tMax) {
+  const auto count = [&](double tMin, double tMax)
+  {
     scene.IntersectAll(origin, up, tMin * unit, tMax * unit, hits);
     return hits.size();
   };

@@ -23,12 +23,14 @@ TEST(ParallelFor, VisitsEveryIndexOnce)
     {
       vtkSMPTools::Initialize(threads);
       std::unique_ptr<std::atomic<int>[]> visits(new std::atomic<int>[count + 1]());
-      EXPECT_TRUE(ParallelFor(count, {}, [&](vtkIdType begin, vtkIdType end) {
-        for (vtkIdType i = begin; i < end; ++i)
+      EXPECT_TRUE(ParallelFor(count, {},
+        [&](vtkIdType begin, vtkIdType end)
         {
-          ++visits[i];
-        }
-      }));
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            ++visits[i];
+          }
+        }));
       for (vtkIdType i = 0; i < count; ++i)
       {
         ASSERT_EQ(visits[i], 1) << i << " of " << count;
@@ -44,7 +46,8 @@ TEST(ParallelFor, ReportsGrowingProgressThatEndsAtOne)
   std::vector<double> seen;
   const std::thread::id caller = std::this_thread::get_id();
   Monitor monitor;
-  monitor.Progress = [&](double share) {
+  monitor.Progress = [&](double share)
+  {
     EXPECT_EQ(std::this_thread::get_id(), caller);
     seen.push_back(share);
   };
@@ -63,13 +66,15 @@ TEST(ParallelFor, StopsSoonAfterAnAbort)
   monitor.Aborted = [&] { return stop; };
   monitor.Progress = [&](double) { stop = true; };
   const auto start = std::chrono::steady_clock::now();
-  const bool finished = ParallelFor(1000, monitor, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
+  const bool finished = ParallelFor(1000, monitor,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      ++done;
-    }
-  });
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ++done;
+      }
+    });
   EXPECT_FALSE(finished);
   EXPECT_LT(done, 100);
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));

@@ -71,8 +71,8 @@ double Irradiance(const std::vector<Vector3>& corners, const Vector3& normal)
 /// Directions within a sheet x, y in [-half, half] at z = 0 from a point above it.
 std::vector<Vector3> SheetSeenFrom(const Vector3& point, double half)
 {
-  return { Vector3{ -half, -half, 0.0 } - point, Vector3{ half, -half, 0.0 } - point, Vector3{ half, half, 0.0 } - point,
-    Vector3{ -half, half, 0.0 } - point };
+  return { Vector3{ -half, -half, 0.0 } - point, Vector3{ half, -half, 0.0 } - point,
+    Vector3{ half, half, 0.0 } - point, Vector3{ -half, half, 0.0 } - point };
 }
 
 Mesh Sheet(double half)
@@ -86,9 +86,8 @@ Mesh Sheet(double half)
 std::map<std::string, std::string> Bytes(const ShadowVectorResult& r)
 {
   std::map<std::string, std::string> bytes;
-  const auto add = [&bytes](const char* name, const auto& values) {
-    bytes[name].assign(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
-  };
+  const auto add = [&bytes](const char* name, const auto& values)
+  { bytes[name].assign(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0])); };
   add("Vectors.Points", r.Vectors.Points);
   add("Vectors.Directions", r.Vectors.Directions);
   add("Vectors.Normals", r.Vectors.Normals);
@@ -207,7 +206,8 @@ TEST(ShadowVectors, EveryOccluderOnThePathStoresOne)
   std::map<vtkIdType, std::vector<std::pair<double, int>>> found;
   for (std::size_t i = 0; i < result.Vectors.OccluderIds.size(); ++i)
   {
-    found[result.Vectors.PhotonIndices[i]].emplace_back(result.Vectors.Points[3 * i + 2], result.Vectors.OccluderIds[i]);
+    found[result.Vectors.PhotonIndices[i]].emplace_back(
+      result.Vectors.Points[3 * i + 2], result.Vectors.OccluderIds[i]);
   }
   ASSERT_GT(found.size(), 450u);
   for (const auto& [photon, vectors] : found)
@@ -361,7 +361,8 @@ TEST(ShadowVectors, LitPathsEndAtTheBoundsOfMeshAndLight)
     {
       ++lit;
       const Vector3 p = At(paths.Points, i);
-      EXPECT_TRUE(std::abs(std::abs(p.X) - 2.0) < 1e-6 || std::abs(std::abs(p.Y) - 2.0) < 1e-6 || std::abs(p.Z + 1.0) < 1e-6);
+      EXPECT_TRUE(
+        std::abs(std::abs(p.X) - 2.0) < 1e-6 || std::abs(std::abs(p.Y) - 2.0) < 1e-6 || std::abs(p.Z + 1.0) < 1e-6);
     }
   }
   EXPECT_GT(lit, 100);
@@ -425,7 +426,8 @@ TEST(ShadowVectorPower, IsTheMeanOverTheSpectrum)
   light.Spectrum = { 1.0, 2.0, 6.0 };
   EXPECT_NEAR(Sum(Trace(Sheet(1.0), light, Photons(1000)).Paths.Powers), 3.0 * one, 1e-4 * one);
   light.Spectrum = { 0.0, 0.0 };
-  EXPECT_EQ(Trace(Sheet(1.0), light, Photons(1000)).Vectors.OccluderIds.size(), 0u); // a light that is off casts no shadow
+  EXPECT_EQ(
+    Trace(Sheet(1.0), light, Photons(1000)).Vectors.OccluderIds.size(), 0u); // a light that is off casts no shadow
 }
 
 TEST(ShadowVectorPower, PointLightIsIntensityTimesSolidAngle)
@@ -479,7 +481,8 @@ TEST(ShadowVectorPower, ALightInsideTheBoundsSendsAllItsFlux)
 
 TEST(ShadowVectors, ALightThatFacesAwayLeavesNothing)
 {
-  const ShadowVectorResult result = Trace(Sheet(1.0), DiscLight({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 }, 0.5), Photons(500));
+  const ShadowVectorResult result =
+    Trace(Sheet(1.0), DiscLight({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 }, 0.5), Photons(500));
   EXPECT_TRUE(result.Vectors.OccluderIds.empty());
   EXPECT_TRUE(result.Paths.States.empty());
   EXPECT_EQ(result.NumberOfPhotons, 500);
@@ -512,8 +515,8 @@ TEST(ShadowVectorTarget, IsMetUpToTheLastPhotons)
     const vtkIdType last = result.Vectors.PhotonIndices.back();
     const auto ofLast = std::count(result.Vectors.PhotonIndices.begin(), result.Vectors.PhotonIndices.end(), last);
     EXPECT_GE(stored, target);
-    EXPECT_LT(stored - ofLast, target);                 // without the last photon it would not be met
-    EXPECT_EQ(result.NumberOfPhotons, last + 1);        // and that is the last one emitted
+    EXPECT_LT(stored - ofLast, target);          // without the last photon it would not be met
+    EXPECT_EQ(result.NumberOfPhotons, last + 1); // and that is the last one emitted
     // The same as asking for that many photons.
     EXPECT_EQ(Bytes(result), Bytes(Trace(mesh, light, Photons(result.NumberOfPhotons))));
   }
@@ -523,8 +526,7 @@ TEST(ShadowVectorTarget, GivesUpWhereNoLightArrives)
 {
   ShadowVectorOptions options;
   options.TargetNumberOfVectors = 10;
-  const ShadowVectorResult result =
-    Trace(Sheet(1.0), DiscLight({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 }, 0.5), options);
+  const ShadowVectorResult result = Trace(Sheet(1.0), DiscLight({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 }, 0.5), options);
   EXPECT_EQ(result.NumberOfPhotons, 10000);
   EXPECT_TRUE(result.Vectors.OccluderIds.empty());
 }

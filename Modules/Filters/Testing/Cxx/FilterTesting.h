@@ -35,10 +35,12 @@ public:
   explicit Messages(vtkAlgorithm* algorithm)
   {
     this->Callback->SetClientData(this);
-    this->Callback->SetCallback([](vtkObject*, unsigned long event, void* self, void* text) {
-      auto* messages = static_cast<Messages*>(self);
-      (event == vtkCommand::ErrorEvent ? messages->Errors : messages->Warnings) += static_cast<const char*>(text);
-    });
+    this->Callback->SetCallback(
+      [](vtkObject*, unsigned long event, void* self, void* text)
+      {
+        auto* messages = static_cast<Messages*>(self);
+        (event == vtkCommand::ErrorEvent ? messages->Errors : messages->Warnings) += static_cast<const char*>(text);
+      });
     for (vtkObject* object : { static_cast<vtkObject*>(algorithm), static_cast<vtkObject*>(algorithm->GetExecutive()) })
     {
       object->AddObserver(vtkCommand::ErrorEvent, this->Callback);

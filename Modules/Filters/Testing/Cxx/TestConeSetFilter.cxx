@@ -24,8 +24,7 @@ public:
   Traced()
   {
     this->Light = LampAbove(3.0);
-    this->Filter->SetInputData(
-      MeshBuilder().AddBox(0.0, 0.0, 1.0, 0.8, 0.8, 0.02, 4).AddSquare(0.0, 3.0, -1).Build());
+    this->Filter->SetInputData(MeshBuilder().AddBox(0.0, 0.0, 1.0, 0.8, 0.8, 0.02, 4).AddSquare(0.0, 3.0, -1).Build());
     this->Filter->SetLightConnection(this->Light->GetOutputPort());
     this->Filter->SetTargetNumberOfVectors(3000);
     this->Filter->SetSeed(9);
@@ -218,7 +217,8 @@ TEST(ConeSetFilter, ParametersChangeWhatTheySay)
   const auto vectors = Board().Vectors();
   vtkNew<vtkConeSetFilter> filter;
   filter->SetInputData(vectors);
-  const auto run = [&] {
+  const auto run = [&]
+  {
     filter->Update();
     return filter->GetOutput();
   };
@@ -277,12 +277,16 @@ TEST(ConeSetFilter, NoVectorsGiveNoCones)
 TEST(ConeSetFilterErrors, EachParameterHasItsMessage)
 {
   const auto vectors = Board().Vectors();
-  const auto run = [&](const std::function<void(vtkConeSetFilter*)>& change) { return Execute(vectors, nullptr, change); };
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetNumberOfNeighbors(19); }), "must not be below MinimumVectorsPerCone (p4)");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetNumberOfNeighbors(2); }), "NumberOfNeighbors (p1) must be at least 3");
+  const auto run = [&](const std::function<void(vtkConeSetFilter*)>& change)
+  { return Execute(vectors, nullptr, change); };
+  ExpectFault(
+    run([](vtkConeSetFilter* f) { f->SetNumberOfNeighbors(19); }), "must not be below MinimumVectorsPerCone (p4)");
+  ExpectFault(
+    run([](vtkConeSetFilter* f) { f->SetNumberOfNeighbors(2); }), "NumberOfNeighbors (p1) must be at least 3");
   ExpectFault(run([](vtkConeSetFilter* f) { f->SetNumberOfSectors(0); }), "NumberOfSectors (p2) must be at least 1");
   ExpectFault(run([](vtkConeSetFilter* f) { f->SetPointsPerRing(0); }), "PointsPerRing (p3) must be at least 1");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetMinimumVectorsPerCone(0); }), "MinimumVectorsPerCone (p4) must be at least 1");
+  ExpectFault(
+    run([](vtkConeSetFilter* f) { f->SetMinimumVectorsPerCone(0); }), "MinimumVectorsPerCone (p4) must be at least 1");
   ExpectFault(run([](vtkConeSetFilter* f) { f->SetVarianceThreshold(-1.0); }), "VarianceThreshold");
   ExpectFault(run([](vtkConeSetFilter* f) { f->SetPlanarityThreshold(std::nan("")); }), "PlanarityThreshold");
   ExpectFault(run([](vtkConeSetFilter* f) { f->SetExpansion(7); }), "Expansion must be");

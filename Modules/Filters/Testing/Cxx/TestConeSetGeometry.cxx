@@ -8,6 +8,7 @@
 #include "vtkIdList.h"
 #include "vtkPolygon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <sstream>
@@ -125,7 +126,8 @@ TEST(ConeSetGeometry, SurfacesLieOnTheirCones)
         top[id] = std::max(top[id], Height(cones[id], p));
         // Winding and normals both point outward.
         EXPECT_GT(face[0] * normals->GetComponent(point, 0) + face[1] * normals->GetComponent(point, 1) +
-            face[2] * normals->GetComponent(point, 2), 0.9);
+            face[2] * normals->GetComponent(point, 2),
+          0.9);
       }
     }
     for (std::size_t i = 0; i < 3; ++i)
@@ -284,7 +286,8 @@ TEST(ConeSetGeometryErrors, BadParameters)
   EXPECT_SAYS(FaultOf(set, [](vtkConeSetGeometry* f) { f->SetResolution(2); }), "Resolution is 2");
   EXPECT_SAYS(FaultOf(set, [](vtkConeSetGeometry* f) { f->SetCut(3); }), "Cut is 3");
   EXPECT_SAYS(FaultOf(set,
-                [](vtkConeSetGeometry* f) {
+                [](vtkConeSetGeometry* f)
+                {
                   f->SetCutToPlane();
                   f->SetPlaneNormal(0.0, 0.0, 0.0);
                 }),
@@ -292,7 +295,8 @@ TEST(ConeSetGeometryErrors, BadParameters)
   EXPECT_SAYS(FaultOf(set, [](vtkConeSetGeometry* f) { f->SetLength(-1.0); }), "Length is -1");
   EXPECT_SAYS(FaultOf(set, [](vtkConeSetGeometry* f) { f->SetLength(std::nan("")); }), "Length is");
   EXPECT_SAYS(FaultOf(set,
-                [](vtkConeSetGeometry* f) {
+                [](vtkConeSetGeometry* f)
+                {
                   f->SetCutToBox();
                   f->SetBoxBounds(1.0, -1.0, -1.0, 1.0, -1.0, 1.0);
                 }),

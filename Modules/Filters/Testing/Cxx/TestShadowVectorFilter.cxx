@@ -248,7 +248,8 @@ TEST(ShadowVectorFilterErrors, NoPolygons)
 
 TEST(ShadowVectorFilterErrors, MissingLight)
 {
-  const Outcome outcome = Execute(BoxOverFloor(), [](vtkShadowVectorFilter* filter) { filter->SetLightConnection(nullptr); });
+  const Outcome outcome =
+    Execute(BoxOverFloor(), [](vtkShadowVectorFilter* filter) { filter->SetLightConnection(nullptr); });
   EXPECT_EQ(outcome.Points, 0);
   EXPECT_SAYS(outcome.Errors, "No light on input port 1");
   EXPECT_SAYS(outcome.Errors, "SetLightConnection");
@@ -354,10 +355,12 @@ TEST(ShadowVectorFilterWarnings, TargetThatCannotBeMet)
 {
   const auto away = LampAbove(3.0);
   away->SetNormal(0.0, 0.0, 1.0);
-  const Outcome outcome = Execute(BoxOverFloor(), [&](vtkShadowVectorFilter* filter) {
-    filter->SetLightConnection(away->GetOutputPort());
-    filter->SetTargetNumberOfVectors(10);
-  });
+  const Outcome outcome = Execute(BoxOverFloor(),
+    [&](vtkShadowVectorFilter* filter)
+    {
+      filter->SetLightConnection(away->GetOutputPort());
+      filter->SetTargetNumberOfVectors(10);
+    });
   EXPECT_EQ(outcome.Errors, "");
   EXPECT_SAYS(outcome.Warnings, "Only 0 of 10 vectors");
 }
