@@ -30,7 +30,7 @@
  * base; -1 where discarded).
  *
  * @warning With ExpansionFraction 1 the cones are bounds: taken as the shadow itself they darken far too much. See
- * Documentation/limitations.md.
+ * Documentation/5-limitations.md.
  * @sa vtkShadowVectorFilter vtkConeSetGeometry vtkScatteringImageFilter
  */
 #ifndef vtkConeSetFilter_h

@@ -378,6 +378,21 @@ TEST(ConeSetRings, StopWhereTheSurfaceLeavesThePlane)
   EXPECT_LT(cone.Planarity, 0.09);
 }
 
+TEST(ConeSetRadius, IsThatOfTheVectorsProjectedAlongTheLight)
+{
+  // A disc whose vectors were moved to and fro along slanting light: seen along the light it is the same disc.
+  const Vector3 direction = Normalized({ 1.5, 0.0, -1.0 });
+  const Vectors flat = Sunflower(97, 1.0);
+  Vectors vectors;
+  for (vtkIdType i = 0; i < flat.Count(); ++i)
+  {
+    vectors.Add(flat.Point(i) + (i == 0 ? 0.0 : i % 2 ? 0.05 : -0.05) * direction, direction);
+  }
+  ConeSetOptions options = Options(97, 8, 16, 20);
+  options.CosineCorrection = false;
+  EXPECT_NEAR(Fit(vectors, options).Cones.at(0).BaseRadius, std::sqrt(96.0 / 97.0), 0.008);
+}
+
 TEST(ConeSetRadius, IsCorrectedByTheCosine)
 {
   // A plane tilted by 30 and 60 degrees against the light: in-plane radius r, r cos(theta) across the light.

@@ -80,6 +80,14 @@ TEST(ParallelFor, StopsSoonAfterAnAbort)
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
+TEST(ParallelFor, AnAbortDuringTheLastBlockCounts)
+{
+  std::atomic<bool> stop{ false };
+  Monitor monitor;
+  monitor.Aborted = [&] { return stop.load(); };
+  EXPECT_FALSE(ParallelFor(1, monitor, [&](vtkIdType, vtkIdType) { stop = true; }));
+}
+
 TEST(ParallelFor, AnAbortBeforeTheStartDoesNothing)
 {
   Monitor monitor;
