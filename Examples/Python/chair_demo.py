@@ -106,9 +106,9 @@ def main():
         with Stage("View of cones"):
             camera = vtkCamera()
             camera.SetPosition(6.0, 3.4, 8.5)
-            camera.SetFocalPoint(0.0, 1.1, 0.0)
-            camera.SetViewAngle(26.0)
-            common.save(common.cone_view(occluders, vectors, cones, 1.0, camera, arguments.view_size, 0.5),
+            camera.SetFocalPoint(0.0, 0.95, 0.0)
+            camera.SetViewAngle(29.0)
+            common.save(common.cone_view(occluders, vectors, cones, 0.8, camera, arguments.view_size, 0.5),
                         path("cones.png"))
         files.append("cones.png")
 

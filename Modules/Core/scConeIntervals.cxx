@@ -100,11 +100,8 @@ bool IntersectSlice(const Cone& cone, double tangent, double low, double high, c
 void InsertMerged(std::vector<RayInterval>& merged, RayInterval interval)
 {
   interval.OccluderId = -1;
-  auto first = merged.begin();
-  while (first != merged.end() && first->End < interval.Begin)
-  {
-    ++first;
-  }
+  const auto first = std::lower_bound(merged.begin(), merged.end(), interval.Begin,
+    [](const RayInterval& other, double begin) { return other.End < begin; });
   auto last = first;
   while (last != merged.end() && last->Begin <= interval.End)
   {
@@ -123,8 +120,9 @@ void InsertMerged(std::vector<RayInterval>& merged, RayInterval interval)
 
 bool IsCovered(const std::vector<RayInterval>& merged, double begin, double end)
 {
-  return std::any_of(merged.begin(), merged.end(),
-    [begin, end](const RayInterval& interval) { return interval.Begin <= begin && end <= interval.End; });
+  const auto next = std::upper_bound(
+    merged.begin(), merged.end(), begin, [](double value, const RayInterval& other) { return value < other.Begin; });
+  return next != merged.begin() && end <= (next - 1)->End;
 }
 
 double TipHeight(const Cone& cone)

@@ -168,20 +168,25 @@ private:
   ConeSet& Result;
 };
 
+/// A photon path through a base disc.
+struct Crossing
+{
+  double Distance; ///< from the disc's centre
+  bool Lit;
+};
+
 /**
- * Share of lit paths among the paths through each base disc. A path is blocked for a disc where it ends before it has
- * passed the disc by a base radius.
+ * The paths through each base disc, inside out. A path is blocked for a disc where it ends before it has passed the disc by a
+ * base radius.
  */
-bool MeasureOverspill(const PhotonPathView& paths, const Monitor& monitor, std::vector<Cone>& cones)
+bool CollectCrossings(const PhotonPathView& paths, const std::vector<Cone>& cones, const Monitor& monitor,
+  std::vector<std::vector<Crossing>>& crossings)
 {
   const ConeTree tree = ConeTree::OverBases(cones);
-  std::vector<vtkIdType> lit(cones.size(), 0);
-  std::vector<vtkIdType> all(cones.size(), 0);
-  // Counts are sums of integers over fixed chunks: the same for any number of threads.
+  // Fixed chunks, joined in order: the same for any number of threads.
   constexpr vtkIdType chunk = 4096;
   const vtkIdType chunks = (paths.Count + chunk - 1) / chunk;
-  using Crossing = std::pair<int, bool>;
-  std::vector<std::vector<Crossing>> crossings(static_cast<std::size_t>(chunks));
+  std::vector<std::vector<std::pair<int, Crossing>>> found(static_cast<std::size_t>(chunks));
   const bool finished = ParallelFor(chunks, monitor, [&](vtkIdType first, vtkIdType last) {
     for (vtkIdType i = first * chunk; i < std::min(last * chunk, paths.Count); ++i)
     {
@@ -195,27 +200,67 @@ bool MeasureOverspill(const PhotonPathView& paths, const Monitor& monitor, std::
         const Cone& cone = cones[entry.Cone];
         const double slope = Dot(direction, cone.Axis);
         const double t = Dot(cone.Center - origin, cone.Axis) / slope;
-        if (slope > 0.0 && Length(origin + t * direction - cone.Center) <= cone.BaseRadius)
+        const double distance = Length(origin + t * direction - cone.Center);
+        if (slope > 0.0 && distance <= cone.BaseRadius)
         {
           const bool blocked = paths.States[i] != 0 && length <= t + cone.BaseRadius;
-          crossings[i / chunk].emplace_back(entry.Cone, !blocked);
+          found[i / chunk].push_back({ entry.Cone, { distance, !blocked } });
         }
       });
     }
   });
-  for (const auto& part : crossings)
+  crossings.assign(cones.size(), {});
+  for (const auto& part : found)
   {
-    for (const Crossing& crossing : part)
+    for (const auto& crossing : part)
     {
-      ++all[crossing.first];
-      lit[crossing.first] += crossing.second;
+      crossings[crossing.first].push_back(crossing.second);
     }
   }
-  for (std::size_t i = 0; i < cones.size(); ++i)
+  for (std::vector<Crossing>& inside : crossings)
   {
-    cones[i].Overspill = all[i] > 0 ? static_cast<double>(lit[i]) / static_cast<double>(all[i]) : 0.0;
+    std::sort(inside.begin(), inside.end(), [](const Crossing& a, const Crossing& b) {
+      return a.Distance != b.Distance ? a.Distance < b.Distance : a.Lit < b.Lit;
+    });
   }
   return finished;
+}
+
+/// Cut a base to the largest radius inside which at most @p maximum of the paths are lit.
+void TrimBase(std::vector<Crossing>& crossings, double maximum, const LightExtent& light, ConeExpansion expansion,
+  double fraction, Cone& cone)
+{
+  std::size_t kept = 0;
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    lit += crossings[i].Lit;
+    if (static_cast<double>(lit) <= maximum * static_cast<double>(i + 1))
+    {
+      kept = i + 1;
+    }
+  }
+  if (kept == crossings.size())
+  {
+    return;
+  }
+  crossings.resize(kept);
+  const double before = cone.BaseRadius;
+  cone.BaseRadius = kept > 0 ? crossings.back().Distance : 0.0;
+  cone.Planarity = cone.BaseRadius > 0.0 ? cone.Planarity * before / cone.BaseRadius : 0.0;
+  double outer = 0.0;
+  PenumbraAngles(light, cone.Center, cone.Axis, cone.BaseRadius, outer, cone.InnerHalfAngle);
+  if (expansion == ConeExpansion::LightGeometry)
+  {
+    cone.HalfAngle = fraction * outer;
+  }
+}
+
+double LitShare(const std::vector<Crossing>& crossings)
+{
+  const auto lit =
+    std::count_if(crossings.begin(), crossings.end(), [](const Crossing& crossing) { return crossing.Lit; });
+  return crossings.empty() ? 0.0 : static_cast<double>(lit) / static_cast<double>(crossings.size());
 }
 
 } // anonymous namespace
@@ -258,6 +303,10 @@ const char* CheckConeSetOptions(const ConeSetOptions& options)
   {
     return "ExpansionFraction must lie in 0..1";
   }
+  if (!(options.MaximumOverspill >= 0.0 && options.MaximumOverspill <= 1.0))
+  {
+    return "MaximumOverspill must lie in 0..1";
+  }
   if (!(options.RadiusScale > 0.0))
   {
     return "RadiusScale must be above 0";
@@ -276,8 +325,25 @@ bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, co
   }
   ConeFitter fitter(vectors, light, options, result);
   const double share = paths.Count > 0 ? 0.8 : 1.0;
-  return fitter.Run(monitor.Part(0.0, share)) &&
-    (paths.Count == 0 || MeasureOverspill(paths, monitor.Part(share, 1.0), result.Cones));
+  if (!fitter.Run(monitor.Part(0.0, share)))
+  {
+    return false;
+  }
+  if (paths.Count == 0)
+  {
+    return true;
+  }
+  std::vector<std::vector<Crossing>> crossings;
+  if (!CollectCrossings(paths, result.Cones, monitor.Part(share, 1.0), crossings))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < result.Cones.size(); ++i)
+  {
+    TrimBase(crossings[i], options.MaximumOverspill, light, options.Expansion, options.ExpansionFraction, result.Cones[i]);
+    result.Cones[i].Overspill = LitShare(crossings[i]);
+  }
+  return true;
 }
 
 } // namespace shadowcones

@@ -93,6 +93,7 @@ struct ConeSetOptions
   ConeExpansion Expansion = ConeExpansion::MaximumDeviation;
   double ExpansionFraction = 1.0;    ///< HalfAngle is this share of the angle found, 0..1
   double RadiusScale = 1.0;          ///< factor on the base radius, above 0
+  double MaximumOverspill = 1.0;     ///< shrink bases until at most this share of their paths is lit, 0..1; 1: off; needs paths
   bool Overlap = false;              ///< neighbours come from all vectors; covered ones only stop being seeds
 };
 

@@ -56,6 +56,7 @@ void AddParameters(const ConeSetOptions& options, vtkFieldData* data)
   AddIntArray(data, "Expansion", 1, { static_cast<int>(options.Expansion) });
   AddDoubleArray(data, "ExpansionFraction", 1, { options.ExpansionFraction });
   AddDoubleArray(data, "RadiusScale", 1, { options.RadiusScale });
+  AddDoubleArray(data, "MaximumOverspill", 1, { options.MaximumOverspill });
   AddIntArray(data, "Overlap", 1, { options.Overlap ? 1 : 0 });
 }
 
@@ -145,6 +146,7 @@ int vtkConeSetFilter::RequestData(
   options.Expansion = static_cast<ConeExpansion>(this->Expansion);
   options.ExpansionFraction = this->ExpansionFraction;
   options.RadiusScale = this->RadiusScale;
+  options.MaximumOverspill = this->MaximumOverspill;
   options.Overlap = this->Overlap;
   if (this->Tuning < MANUAL || this->Tuning > SOFT)
   {
@@ -155,6 +157,13 @@ int vtkConeSetFilter::RequestData(
   {
     vtkErrorMacro("Tuning learns from photon paths and input port 1 has none: connect output port 1 of "
                   "vtkShadowVectorFilter with SetPhotonPathConnection, or use SetTuningToManual.");
+    return 0;
+  }
+  if (this->MaximumOverspill < 1.0 && !pathInput)
+  {
+    vtkErrorMacro("MaximumOverspill is " << this->MaximumOverspill
+      << " and input port 1 has no photon paths to see lit light by: connect output port 1 of vtkShadowVectorFilter with "
+         "SetPhotonPathConnection, or set MaximumOverspill to 1.");
     return 0;
   }
   if (const char* fault = CheckConeSetOptions(options))
@@ -239,5 +248,6 @@ void vtkConeSetFilter::PrintSelf(ostream& os, vtkIndent indent)
      << (this->Expansion >= 0 && this->Expansion <= 2 ? expansions[this->Expansion] : "invalid") << "\n";
   os << indent << "ExpansionFraction: " << this->ExpansionFraction << "\n";
   os << indent << "RadiusScale: " << this->RadiusScale << "\n";
+  os << indent << "MaximumOverspill: " << this->MaximumOverspill << "\n";
   os << indent << "Overlap: " << (this->Overlap ? "on" : "off") << "\n";
 }

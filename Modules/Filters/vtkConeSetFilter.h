@@ -19,7 +19,7 @@
  * base along Axis is 0 or more and whose distance from the axis is at most BaseRadius + h tan(HalfAngle). Point data: "Axis"
  * (float 3, unit, away from the light), "BaseRadius" (float, world units), "HalfAngle" (float, radians; negative: converging),
  * "InnerHalfAngle" (float, radians; the umbra of the base disc; negative: it contracts), "Normal" (float 3, unit, of the fitted
- * plane on the side of Axis), "OccluderId" (int, of most of its vectors), "VectorCount" (int), "Planarity" (float, rms distance
+ * plane on the side of Axis), "OccluderId" (int, of most of its vectors), "VectorCount" (int, that it was made from), "Planarity" (float, rms distance
  * of its vectors from the plane over BaseRadius), "Overspill" (float 0..1, share of lit photon paths among those through the
  * base disc; -1 without photon paths). Field data: every parameter by its name, "Seed" (of the vectors), "NumberOfVectors",
  * "NumberOfCones", "NumberOfDiscarded" (id), "DiscardedFraction" (double), and the light's exact shape where the vectors
@@ -148,6 +148,13 @@ public:
   ///@}
 
   ///@{
+  /// Shrink each base to the largest radius inside which at most this share of the photon paths is lit, 0..1; 1: off. Needs photon
+  /// paths. Smaller values keep bases from spilling over edges (figure 3b) and cost recall where parts are thin. Default 1.
+  vtkSetMacro(MaximumOverspill, double);
+  vtkGetMacro(MaximumOverspill, double);
+  ///@}
+
+  ///@{
   /// On: neighbours come from all vectors and covered ones only stop being seeds, so that cones overlap: better bounds. Off:
   /// covered vectors leave the set, as in the paper. Default off.
   vtkSetMacro(Overlap, bool);
@@ -179,6 +186,7 @@ private:
   int Expansion = MAXIMUM_DEVIATION;
   double ExpansionFraction = 1.0;
   double RadiusScale = 1.0;
+  double MaximumOverspill = 1.0;
   bool Overlap = false;
 };
 

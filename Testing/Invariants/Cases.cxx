@@ -145,6 +145,15 @@ Setting ConeSet(Size size, bool overlap, bool paths)
   return setting;
 }
 
+/// Tuning fits some forty cone sets: few vectors are enough.
+Setting ConeSetTuned(Size size, int tuning)
+{
+  auto filter = vtkSmartPointer<vtkConeSetFilter>::New();
+  filter->SetTuning(tuning);
+  const vtkIdType count = size == Size::Small ? 500 : 60000;
+  return { filter, { { 0, Vectors(count, 0) }, { 1, Vectors(count, 1) } } };
+}
+
 Setting ConeSetGeometry(Size size)
 {
   auto filter = vtkSmartPointer<vtkConeSetGeometry>::New();
@@ -227,6 +236,8 @@ const std::vector<Case>& AllCases()
     { "ShadowVectorsToATarget", [](Size size) { return ShadowVectors(size, true, true); } },
     { "ConeSet", [](Size size) { return ConeSet(size, false, true); } },
     { "ConeSetOverlap", [](Size size) { return ConeSet(size, true, false); } },
+    { "ConeSetTunedConservative", [](Size size) { return ConeSetTuned(size, vtkConeSetFilter::CONSERVATIVE); } },
+    { "ConeSetTunedSoft", [](Size size) { return ConeSetTuned(size, vtkConeSetFilter::SOFT); } },
     { "ConeSetGeometry", ConeSetGeometry },
     { "ConeSetAccuracy", ConeSetAccuracy },
     { "ShadowVolumeInnerCones", [](Size size) { return ShadowVolume(size, vtkShadowVolume::INNER_CONES); } },

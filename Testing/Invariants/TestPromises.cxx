@@ -297,6 +297,7 @@ TEST_P(Promises, ARunAfterAnAbortIsComplete)
     setting.Filter->Update();
     EXPECT_TRUE(IsEmpty(setting.Filter->GetOutputDataObject(0)));
   }
+  setting.Filter->SetAbortExecute(0); // VTK 9.3 leaves the flag to its user
   setting.Filter->Modified();
   setting.Filter->Update();
   EXPECT_EQ(Difference(OutputsOf(reference.Filter), OutputsOf(setting.Filter)), "");

@@ -486,20 +486,14 @@ TEST(ConeSetOccluder, IsThatOfMostVectors)
   EXPECT_EQ(set.Cones.at(0).OccluderId, 0);
 }
 
-TEST(ConeSetOverspill, IsTheShareOfLitPathsThroughTheBase)
+namespace
 {
-  const Vectors vectors = Sunflower(97, 1.0);
-  // Parallel paths down through a square around the base; those with x < edge end at the base's plane.
-  std::vector<double> points;
-  std::vector<double> starts;
-  std::vector<float> directions;
-  std::vector<int> states;
-  const auto overspill = [&](double edge, double end)
+/// Parallel paths down through a square around the unit disc; those with x < edge end at z = end.
+class PathsOverAnEdge
+{
+public:
+  PathsOverAnEdge(double edge, double end)
   {
-    points.clear();
-    starts.clear();
-    directions.clear();
-    states.clear();
     for (int i = 0; i < 200; ++i)
     {
       for (int k = 0; k < 200; ++k)
@@ -507,15 +501,56 @@ TEST(ConeSetOverspill, IsTheShareOfLitPathsThroughTheBase)
         const double x = -1.5 + 3.0 * (i + 0.5) / 200;
         const double y = -1.5 + 3.0 * (k + 0.5) / 200;
         const bool blocked = x < edge;
-        starts.insert(starts.end(), { x, y, 5.0 });
-        points.insert(points.end(), { x, y, blocked ? end : -9.0 });
-        directions.insert(directions.end(), { 0.0f, 0.0f, -1.0f });
-        states.push_back(blocked ? 1 : 0);
+        this->Starts.insert(this->Starts.end(), { x, y, 5.0 });
+        this->Points.insert(this->Points.end(), { x, y, blocked ? end : -9.0 });
+        this->Directions.insert(this->Directions.end(), { 0.0f, 0.0f, -1.0f });
+        this->States.push_back(blocked ? 1 : 0);
       }
     }
-    const PhotonPathView paths{ static_cast<vtkIdType>(states.size()), points.data(), starts.data(), directions.data(),
-      states.data() };
-    return Fit(vectors, Options(97, 8, 16, 20), paths).Cones.at(0).Overspill;
+  }
+  PhotonPathView View() const
+  {
+    return { static_cast<vtkIdType>(this->States.size()), this->Points.data(), this->Starts.data(),
+      this->Directions.data(), this->States.data() };
+  }
+
+private:
+  std::vector<double> Points;
+  std::vector<double> Starts;
+  std::vector<float> Directions;
+  std::vector<int> States;
+};
+} // anonymous namespace
+
+TEST(ConeSetOverspill, BasesAreTrimmedToTheShareAskedFor)
+{
+  const Vectors vectors = Sunflower(97, 1.0);
+  const PathsOverAnEdge paths(0.4, 0.0);
+  const auto trimmed = [&](double maximum)
+  {
+    ConeSetOptions options = Options(97, 8, 16, 20);
+    options.MaximumOverspill = maximum;
+    return Fit(vectors, options, paths.View()).Cones.at(0);
+  };
+  const Cone whole = trimmed(1.0);
+  EXPECT_GT(whole.Overspill, 0.2);
+  // No lit path is left inside the largest circle that stays behind the edge.
+  EXPECT_NEAR(trimmed(0.0).BaseRadius, 0.4, 0.02);
+  EXPECT_EQ(trimmed(0.0).Overspill, 0.0);
+  const Cone tenth = trimmed(0.1);
+  EXPECT_GT(tenth.BaseRadius, 0.4);
+  EXPECT_LT(tenth.BaseRadius, whole.BaseRadius);
+  EXPECT_NEAR(tenth.Overspill, 0.1, 0.005);
+  EXPECT_NEAR(tenth.Planarity * tenth.BaseRadius, whole.Planarity * whole.BaseRadius, 1e-12);
+}
+
+TEST(ConeSetOverspill, IsTheShareOfLitPathsThroughTheBase)
+{
+  const Vectors vectors = Sunflower(97, 1.0);
+  const auto overspill = [&](double edge, double end)
+  {
+    const PathsOverAnEdge paths(edge, end);
+    return Fit(vectors, Options(97, 8, 16, 20), paths.View()).Cones.at(0).Overspill;
   };
   EXPECT_NEAR(overspill(0.0, 0.0), 0.5, 0.01); // half of the base spills
   EXPECT_EQ(overspill(9.0, 0.0), 0.0);

@@ -262,6 +262,115 @@ TEST(ConeSetFilter, ParametersChangeWhatTheySay)
   }
 }
 
+TEST(ConeSetFilter, TuningChoosesTheParametersAndSaysSo)
+{
+  const auto vectors = Board().Vectors();
+  const auto paths = Board().Paths();
+  const auto tuned = [&](int tuning)
+  {
+    vtkNew<vtkConeSetFilter> filter;
+    filter->SetInputData(vectors);
+    filter->SetPhotonPathData(paths);
+    filter->SetTuning(tuning);
+    filter->SetVarianceThreshold(0.3); // replaced
+    filter->SetExpansionFraction(0.25);
+    filter->SetRadiusScale(3.0);
+    filter->SetNumberOfSectors(17); // kept
+    filter->Update();
+    vtkSmartPointer<vtkPolyData> cones = filter->GetOutput();
+    EXPECT_GT(cones->GetNumberOfPoints(), 0) << tuning;
+    EXPECT_EQ(FieldValue(cones, "Tuning"), tuning);
+    EXPECT_EQ(FieldValue(cones, "Expansion"), vtkConeSetFilter::LIGHT_GEOMETRY);
+    EXPECT_EQ(FieldValue(cones, "NumberOfVectors"), 3000.0);
+    EXPECT_GT(FieldValue(cones, "TuningFits"), 25.0);
+    ArrayOf(cones->GetFieldData(), "TuningObjective", VTK_DOUBLE, 1);
+    EXPECT_GE(FieldValue(cones, "VarianceThreshold"), 1.0);
+    EXPECT_EQ(FieldValue(cones, "NumberOfSectors"), 17.0);
+    // What was set stays set.
+    EXPECT_EQ(filter->GetVarianceThreshold(), 0.3);
+    return cones;
+  };
+
+  const auto conservative = tuned(vtkConeSetFilter::CONSERVATIVE);
+  EXPECT_EQ(FieldValue(conservative, "Overlap"), 1.0);
+  EXPECT_EQ(FieldValue(conservative, "CosineCorrection"), 0.0);
+  EXPECT_EQ(FieldValue(conservative, "ExpansionFraction"), 1.0);
+  EXPECT_EQ(FieldValue(conservative, "RadiusScale"), 1.0);
+  const double leak = FieldValue(conservative, "TuningLeak");
+  EXPECT_GE(leak, 0.0);
+  EXPECT_LT(leak, 0.01);
+  EXPECT_GT(FieldValue(conservative, "TuningObjective"), leak); // cones cost something
+
+  const auto preview = tuned(vtkConeSetFilter::PREVIEW);
+  EXPECT_EQ(FieldValue(preview, "Overlap"), 0.0);
+  EXPECT_GT(FieldValue(preview, "ExpansionFraction"), 0.0);
+  EXPECT_LT(FieldValue(preview, "ExpansionFraction"), 1.0);
+  EXPECT_NEAR(FieldValue(preview, "TuningLost"), FieldValue(preview, "TuningLeak"), 0.02);
+
+  const auto soft = tuned(vtkConeSetFilter::SOFT);
+  EXPECT_EQ(FieldValue(soft, "Overlap"), 1.0);
+  EXPECT_GT(FieldValue(soft, "RadiusScale"), 0.5);
+  EXPECT_LT(FieldValue(soft, "RadiusScale"), 1.2);
+  EXPECT_NEAR(FieldValue(soft, "TuningLost"), FieldValue(soft, "TuningLeak"), 0.02);
+  const double caught = 1.0 - FieldValue(soft, "TuningLeak");
+  EXPECT_NEAR(FieldValue(soft, "TuningObjective"), 1.0 - caught / (1.0 + FieldValue(soft, "TuningLost")), 1e-12);
+}
+
+TEST(ConeSetFilter, TrimmingNeedsPaths)
+{
+  vtkNew<vtkConeSetFilter> filter;
+  filter->SetInputData(Board().Vectors());
+  filter->SetMaximumOverspill(0.1);
+  Messages messages(filter);
+  filter->Update();
+  EXPECT_SAYS(messages.Errors, "MaximumOverspill is 0.1");
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  filter->SetPhotonPathData(Board().Paths());
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(ConeSetFilter, ManualSetsHaveNoTuning)
+{
+  vtkNew<vtkConeSetFilter> filter;
+  filter->SetInputData(Board().Vectors());
+  filter->SetPhotonPathData(Board().Paths());
+  filter->Update();
+  for (const char* name : { "TuningObjective", "TuningLeak", "TuningLost", "TuningFits" })
+  {
+    EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetAbstractArray(name), nullptr) << name;
+  }
+}
+
+TEST(ConeSetFilter, TunesToWhatAnotherTracerMade)
+{
+  // The documented arrays alone, in double precision.
+  const auto plain = [](vtkPolyData* full, std::initializer_list<const char*> names)
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->SetPoints(full->GetPoints());
+    for (const char* name : names)
+    {
+      vtkNew<vtkDoubleArray> array;
+      array->DeepCopy(full->GetPointData()->GetArray(name));
+      array->SetName(name);
+      copy->GetPointData()->AddArray(array);
+    }
+    return copy;
+  };
+  const auto vectors = plain(Board().Vectors(), { "Direction", "EmissionPoint" });
+  const auto paths = plain(Board().Paths(), { "PathState", "Direction", "EmissionPoint" });
+  vtkNew<vtkConeSetFilter> filter;
+  filter->SetInputData(vectors);
+  filter->SetPhotonPathData(paths);
+  filter->SetTuningToConservative();
+  Messages messages(filter);
+  filter->Update();
+  EXPECT_EQ(messages.Errors, "");
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_LT(FieldValue(filter->GetOutput(), "TuningLeak"), 0.01);
+}
+
 TEST(ConeSetFilter, NoVectorsGiveNoCones)
 {
   vtkNew<vtkPolyData> empty;
@@ -291,6 +400,25 @@ TEST(ConeSetFilterErrors, EachParameterHasItsMessage)
   ExpectFault(run([](vtkConeSetFilter* f) { f->SetPlanarityThreshold(std::nan("")); }), "PlanarityThreshold");
   ExpectFault(run([](vtkConeSetFilter* f) { f->SetExpansion(7); }), "Expansion must be");
   ExpectFault(run([](vtkConeSetFilter* f) { f->SetExpansionFraction(1.5); }), "ExpansionFraction must lie in 0..1");
+}
+
+TEST(ConeSetFilterErrors, TuningNeedsPathsToLearnFrom)
+{
+  const auto vectors = Board().Vectors();
+  const auto tune = [](vtkConeSetFilter* f) { f->SetTuningToPreview(); };
+  ExpectFault(Execute(vectors, nullptr, tune), "Tuning learns from photon paths and input port 1 has none");
+  ExpectFault(
+    Execute(vectors, Board().Paths(), [](vtkConeSetFilter* f) { f->SetTuning(7); }), "Tuning is 7; it must be 0");
+  ExpectFault(Execute(vectors, nullptr, [](vtkConeSetFilter* f) { f->SetTuning(-1); }), "Tuning is -1; it must be 0");
+  vtkNew<vtkPolyData> none;
+  ExpectFault(Execute(vectors, none, tune), "tuning needs both lit and blocked photon paths");
+  const auto paths = Board().Paths();
+  paths->GetPointData()->GetArray("PathState")->Fill(1.0);
+  ExpectFault(Execute(vectors, paths, tune), "tuning needs both lit and blocked photon paths");
+
+  // Nothing to tune is no fault.
+  vtkNew<vtkPolyData> empty;
+  EXPECT_EQ(Execute(empty, Board().Paths(), tune).Errors, "");
 }
 
 TEST(ConeSetFilterErrors, EachArrayHasItsMessage)

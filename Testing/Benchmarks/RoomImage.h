@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RoomImage.h
+ * @brief The camera, medium and walls of the room, and the medium term of the image at random pixels from the reference.
+ */
+#ifndef RoomImage_h
+#define RoomImage_h
+
+#include "BenchmarkScene.h"
+
+#include "scCamera.h"
+#include "scMedium.h"
+
+#include <string>
+#include <vector>
+
+namespace shadowcones
+{
+
+Camera RoomCamera();
+/// Isotropic, SigmaS 0.12, no absorption, in RoomBounds().
+Medium RoomMedium(const Light& light);
+
+/// The occluder and the walls (Data/cornell-box.vtp) as one mesh; walls have OccluderId -1 and a reflectance.
+struct Room
+{
+  TriangleMesh Mesh;
+  std::vector<float> Reflectance; ///< one a triangle and wavelength
+};
+Room BuildRoom(const BenchmarkScene& scene, std::size_t wavelengths);
+
+/// The medium term of a pixel, mean over wavelengths.
+struct PixelTruth
+{
+  int I = 0;
+  int J = 0;
+  double Mean = 0.0;
+  double StandardError = 0.0;
+};
+
+/// Pixels of a size x size image in the order of the golden ratio, which covers the image evenly; no values yet.
+std::vector<PixelTruth> SpreadPixels(int size, int count);
+
+/// By Testing/Reference, @p samples a pixel, kept in @p folder from one run to the next.
+std::vector<PixelTruth> ReferencePixels(
+  const BenchmarkScene& scene, const Room& room, int size, int pixels, int samples, const std::string& folder);
+
+struct ImageError
+{
+  double Rms = 0.0;       ///< over the mean, the reference's noise taken off
+  double Bias = 0.0;      ///< mean difference over the mean
+  double Reference = 0.0; ///< the reference's own noise over the mean
+};
+
+/// @param values one for each pixel of @p truth.
+ImageError Compare(const std::vector<double>& values, const std::vector<PixelTruth>& truth);
+
+} // namespace shadowcones
+
+#endif

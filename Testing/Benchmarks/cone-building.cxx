@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What tracing vectors and fitting cones cost, in seconds and memory, for growing numbers of vectors.
+//
+// Exponents are slopes of log(time) over log(vectors) against the row above. Memory is the process's largest resident set so
+// far, so rows must grow.
+#include "BenchmarkScene.h"
+
+#include "scConeSet.h"
+#include "scShadowVectors.h"
+
+#include <CLI/CLI.hpp>
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+
+using namespace shadowcones;
+
+namespace
+{
+double PeakMegabytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+} // anonymous namespace
+
+int main(int argc, char** argv)
+{
+  std::string name = "chair";
+  std::vector<vtkIdType> numbers{ 10000, 100000, 1000000 };
+  bool overlap = true;
+  CLI::App app{ "What tracing vectors and fitting cones cost" };
+  app.add_option("--scene", name, "chair, tree, blob or a mesh file")->capture_default_str();
+  app.add_option("--vectors", numbers, "shadow vectors, ascending; 10000000 takes some 8 GB")->capture_default_str();
+  app.add_option("--overlap", overlap, "bounds (1) or the paper's disjoint cones (0)")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try
+  {
+    const BenchmarkScene scene = LoadBenchmarkScene(name);
+    std::printf("%10s %8s %10s %10s %8s %10s %8s %10s\n", "vectors", "cones", "trace s", "fit s", "exponent", "us/vector",
+      "all exp.", "peak MB");
+    double lastFit = 0.0;
+    double lastAll = 0.0;
+    double lastNumber = 1.0;
+    for (const vtkIdType number : numbers)
+    {
+      ShadowVectorOptions tracing;
+      tracing.TargetNumberOfVectors = number;
+      tracing.Storage = VectorStorage::HitPoint;
+      ShadowVectorResult traced;
+      const double start = Now();
+      TraceShadowVectors(*scene.Fast, scene.Source, tracing, {}, traced);
+      const double middle = Now();
+      ShadowVectorView view;
+      view.Count = static_cast<vtkIdType>(traced.Vectors.OccluderIds.size());
+      view.Points = traced.Vectors.Points.data();
+      view.Directions = traced.Vectors.Directions.data();
+      view.EmissionPoints = traced.Vectors.EmissionPoints.data();
+      view.OccluderIds = traced.Vectors.OccluderIds.data();
+      ConeSetOptions options;
+      options.Overlap = overlap;
+      options.VarianceThreshold = overlap ? 1.8 : 1.6;
+      options.CosineCorrection = !overlap;
+      options.Expansion = overlap ? ConeExpansion::LightGeometry : ConeExpansion::MaximumDeviation;
+      ConeSet set;
+      FitConeSet(view, {}, LightExtentOf(scene.Source), options, {}, set);
+      const double end = Now();
+      const double count = static_cast<double>(view.Count);
+      const auto exponent = [&](double last, double now) {
+        return last > 0.0 ? std::log(now / last) / std::log(count / lastNumber) : 0.0;
+      };
+      std::printf("%10lld %8zu %10.2f %10.2f %8.2f %10.2f %8.2f %10.0f\n", static_cast<long long>(view.Count),
+        set.Cones.size(), middle - start, end - middle, exponent(lastFit, end - middle), 1e6 * (end - middle) / count,
+        exponent(lastAll, end - start), PeakMegabytes());
+      std::fflush(stdout);
+      lastFit = end - middle;
+      lastAll = end - start;
+      lastNumber = count;
+    }
+  }
+  catch (const std::exception& exception)
+  {
+    std::fprintf(stderr, "error: %s\n", exception.what());
+    return 1;
+  }
+  return 0;
+}

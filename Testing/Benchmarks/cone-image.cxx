@@ -1,0 +1,590 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How wrong the image is where cones are the shadow itself: no mesh is asked for what is lit.
+//
+// The medium term along a ray is written as lit minus blocked. Every row has the same lit part, and the truth too, so that
+// the error is that of the shadow alone: root of the mean square over pixels, over the mean of the truth. The truth's
+// blocked part is estimated with occlusion rays at random places and light points of its own; its noise is known and
+// taken off. --reference holds the truth against the independent renderer of Testing/Reference.
+#include "RoomImage.h"
+
+#include "scConeIntervals.h"
+#include "scRandom.h"
+#include "scVisibilityProbe.h"
+
+#include "vtkSMPTools.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <map>
+#include <memory>
+
+using namespace shadowcones;
+
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+constexpr int cells = 256;       ///< of a ray, even in the angle seen from the light
+constexpr int lightRings = 12;   ///< of the lit part's rule, even in area
+constexpr int lightSpokes = 32;
+constexpr int batches = 16;      ///< independent estimates of the truth, which give its noise
+constexpr double nearest = 0.15; ///< of a ray to the light's centre, in the change of variable
+
+/// What the room's disc light sends from (a, b) on it through the medium by way of x to the camera, per unit of length.
+class Integrand
+{
+public:
+  Integrand(const Light& light, const Medium& medium)
+    : Source(light)
+    , Inside(medium.Bounds)
+    , Axes(FrameAround(light.Normal))
+  {
+    for (std::size_t k = 0; k < light.Spectrum.size(); ++k)
+    {
+      const double scatter = medium.SigmaS[k] * light.Spectrum[k] / static_cast<double>(light.Spectrum.size());
+      this->Scatter[medium.SigmaS[k] + medium.SigmaA[k]] += scatter;
+    }
+  }
+
+  Vector3 LightPoint(double radius, double angle) const
+  {
+    return this->Source.Center +
+      this->Source.Radius * radius * (std::cos(angle) * this->Axes.U + std::sin(angle) * this->Axes.V);
+  }
+
+  /// Mean over wavelengths, times the light's area. @param depth inside the medium from the camera to x.
+  double At(const Vector3& x, double depth, const Vector3& lightPoint) const
+  {
+    const Vector3 to = lightPoint - x;
+    const double distance = Length(to);
+    const Vector3 direction = (1.0 / distance) * to;
+    const double cosine = -Dot(direction, this->Source.Normal);
+    if (!(cosine > 0.0))
+    {
+      return 0.0;
+    }
+    double begin = 0.0;
+    double end = distance;
+    const double path = depth + (this->Inside.Clip(x, direction, begin, end) ? end - begin : 0.0);
+    double sum = 0.0;
+    for (const auto& [sigmaT, scatter] : this->Scatter)
+    {
+      sum += scatter * std::exp(-sigmaT * path);
+    }
+    return sum * cosine / (distance * distance) * this->Source.Radius * this->Source.Radius / 4.0;
+  }
+
+  double Unshadowed(const Vector3& x, double depth) const
+  {
+    double sum = 0.0;
+    for (int ring = 0; ring < lightRings; ++ring)
+    {
+      for (int spoke = 0; spoke < lightSpokes; ++spoke)
+      {
+        const double angle = 2.0 * pi * (spoke + 0.5 * (ring % 2)) / lightSpokes;
+        sum += this->At(x, depth, this->LightPoint(std::sqrt((ring + 0.5) / lightRings), angle));
+      }
+    }
+    return sum / (lightRings * lightSpokes);
+  }
+
+private:
+  const Light& Source;
+  Box Inside;
+  Frame Axes;
+  std::map<double, double> Scatter; ///< by sigma_t: sum over wavelengths of sigma_s L
+};
+
+/// The part of a pixel's ray in the medium, t = Nearest + Distance tan(angle), and the unshadowed light of its cells.
+struct PixelRay
+{
+  Camera::Ray Line;
+  double Begin = 0.0;
+  double End = 0.0;
+  double Nearest = 0.0;
+  double Distance = 1.0;
+  double FirstAngle = 0.0;
+  double CellAngle = 0.0;
+  std::vector<double> Lit; ///< a cell; empty: the ray misses the medium
+
+  double PositionAt(double cell) const
+  {
+    return this->Nearest + this->Distance * std::tan(this->FirstAngle + cell * this->CellAngle);
+  }
+  /// Length a cell at this position.
+  double Stretch(double t) const
+  {
+    const double offset = t - this->Nearest;
+    return this->CellAngle * (this->Distance + offset * offset / this->Distance);
+  }
+  double CellOf(double t) const
+  {
+    return (std::atan((t - this->Nearest) / this->Distance) - this->FirstAngle) / this->CellAngle;
+  }
+  Vector3 Point(double t) const { return this->Line.Origin + t * this->Line.Direction; }
+  double Sum() const
+  {
+    double sum = 0.0;
+    for (const double lit : this->Lit)
+    {
+      sum += lit;
+    }
+    return sum;
+  }
+};
+
+PixelRay MakeRay(const Camera::Ray& line, const BenchmarkScene& scene, const OccluderScene& room,
+  const Integrand& integrand)
+{
+  PixelRay ray;
+  ray.Line = line;
+  ray.End = HUGE_VAL;
+  RayHit hit;
+  if (!RoomBounds().Clip(line.Origin, line.Direction, ray.Begin, ray.End))
+  {
+    return ray;
+  }
+  if (room.Intersect(line.Origin, line.Direction, 0.0, HUGE_VAL, hit))
+  {
+    ray.End = std::min(ray.End, hit.T);
+  }
+  if (!(ray.End > ray.Begin))
+  {
+    return ray;
+  }
+  ray.Nearest = Dot(scene.Source.Center - line.Origin, line.Direction);
+  ray.Distance = std::max(nearest, Length(ray.Point(ray.Nearest) - scene.Source.Center));
+  ray.FirstAngle = std::atan((ray.Begin - ray.Nearest) / ray.Distance);
+  ray.CellAngle = (std::atan((ray.End - ray.Nearest) / ray.Distance) - ray.FirstAngle) / cells;
+  for (int cell = 0; cell < cells; ++cell)
+  {
+    const double t = ray.PositionAt(cell + 0.5);
+    ray.Lit.push_back(ray.Stretch(t) * integrand.Unshadowed(ray.Point(t), t - ray.Begin));
+  }
+  return ray;
+}
+
+/// Light along the ray that the mesh blocks, by occlusion rays at random places to random light points.
+void TraceTruth(const PixelRay& ray, const OccluderScene& room, const Integrand& integrand, int samplesPerCell,
+  std::uint64_t item, PixelTruth& truth)
+{
+  RandomStream random(2026, item);
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int batch = 0; batch < batches && !ray.Lit.empty(); ++batch)
+  {
+    double blocked = 0.0;
+    for (int sample = 0; sample < cells * samplesPerCell; ++sample)
+    {
+      const double t = ray.PositionAt((sample + random.Next()) / samplesPerCell);
+      const double radius = std::sqrt(random.Next());
+      const Vector3 y = integrand.LightPoint(radius, 2.0 * pi * random.Next());
+      const Vector3 x = ray.Point(t);
+      const double distance = Length(y - x);
+      if (room.Occluded(x, (1.0 / distance) * (y - x), room.Epsilon(), distance - room.Epsilon()))
+      {
+        blocked += ray.Stretch(t) * integrand.At(x, t - ray.Begin, y) / samplesPerCell;
+      }
+    }
+    sum += blocked;
+    squares += blocked * blocked;
+  }
+  const double mean = sum / batches;
+  truth.Mean = ray.Sum() - mean;
+  truth.StandardError = std::sqrt(std::max(0.0, squares / batches - mean * mean) / (batches - 1));
+}
+
+/// What passes the ray's cells where a share of the light is visible.
+double WithVisibility(const PixelRay& ray, const std::function<double(const Vector3&)>& visibility)
+{
+  double sum = 0.0;
+  for (std::size_t cell = 0; cell < ray.Lit.size(); ++cell)
+  {
+    sum += ray.Lit[cell] * visibility(ray.Point(ray.PositionAt(static_cast<double>(cell) + 0.5)));
+  }
+  return sum;
+}
+
+/// Nothing inside cones, everything outside.
+double OutsideCones(const PixelRay& ray, const ConeHierarchy& cones, std::vector<RayInterval>& intervals)
+{
+  double sum = ray.Sum();
+  if (ray.Lit.empty())
+  {
+    return sum;
+  }
+  cones.Intersect(ray.Line.Origin, ray.Line.Direction, ray.Begin, ray.End, intervals);
+  for (const RayInterval& interval : intervals)
+  {
+    const double first = std::clamp(ray.CellOf(interval.Begin), 0.0, static_cast<double>(cells));
+    const double last = std::clamp(ray.CellOf(interval.End), first, static_cast<double>(cells));
+    for (int cell = static_cast<int>(first); cell < std::min<int>(cells, static_cast<int>(std::ceil(last))); ++cell)
+    {
+      sum -= ray.Lit[cell] * std::max(0.0, std::min(last, cell + 1.0) - std::max(first, static_cast<double>(cell)));
+    }
+  }
+  return sum;
+}
+
+/// Visible fractions at the vertices of a regular grid over a box, trilinear between them.
+class VisibilityGrid
+{
+public:
+  VisibilityGrid(const VisibilityProbe& probe, const Box& bounds, int side)
+    : Side(side)
+    , Bounds(bounds)
+  {
+    const Vector3 size = this->Bounds.Size();
+    std::vector<double> points;
+    for (int k = 0; k < side; ++k)
+    {
+      for (int j = 0; j < side; ++j)
+      {
+        for (int i = 0; i < side; ++i)
+        {
+          points.insert(points.end(),
+            { this->Bounds.Min.X + size.X * i / (side - 1), this->Bounds.Min.Y + size.Y * j / (side - 1),
+              this->Bounds.Min.Z + size.Z * k / (side - 1) });
+        }
+      }
+    }
+    VisibilityResult result;
+    ProbeVisibility(probe, points.data(), nullptr, static_cast<vtkIdType>(points.size() / 3), {}, result);
+    this->Values = std::move(result.Visibility);
+  }
+
+  /**
+   * Visibility jumps at the occluder: cells that a base disc passes get a grid of their own, so that little of the dark
+   * bleeds through to the lit side.
+   */
+  void Refine(const VisibilityProbe& probe, const std::vector<Cone>& discs, int parts)
+  {
+    const Vector3 step = (1.0 / (this->Side - 1)) * this->Bounds.Size();
+    this->Bricks.resize(static_cast<std::size_t>(this->Side - 1) * (this->Side - 1) * (this->Side - 1));
+    std::vector<unsigned char> wanted(this->Bricks.size(), 0);
+    for (const Cone& disc : discs)
+    {
+      int first[3];
+      int last[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double n = disc.Normal[axis];
+        const double reach = disc.BaseRadius * std::sqrt(std::max(0.0, 1.0 - n * n));
+        const double middle = disc.Center[axis] - this->Bounds.Min[axis];
+        first[axis] = std::clamp(static_cast<int>((middle - reach) / step[axis]), 0, this->Side - 2);
+        last[axis] = std::clamp(static_cast<int>((middle + reach) / step[axis]), 0, this->Side - 2);
+      }
+      const double half = 0.5 *
+        (std::abs(disc.Normal.X) * step.X + std::abs(disc.Normal.Y) * step.Y + std::abs(disc.Normal.Z) * step.Z);
+      for (int k = first[2]; k <= last[2]; ++k)
+      {
+        for (int j = first[1]; j <= last[1]; ++j)
+        {
+          for (int i = first[0]; i <= last[0]; ++i)
+          {
+            const Vector3 middle = this->Bounds.Min + Vector3{ (i + 0.5) * step.X, (j + 0.5) * step.Y, (k + 0.5) * step.Z };
+            if (std::abs(Dot(disc.Normal, middle - disc.Center)) <= half)
+            {
+              wanted[this->CellIndex(i, j, k)] = 1;
+            }
+          }
+        }
+      }
+    }
+    vtkSMPTools::For(0, static_cast<vtkIdType>(wanted.size()), 256,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType cell = begin; cell < end; ++cell)
+        {
+          if (wanted[cell])
+          {
+            const vtkIdType side = this->Side - 1;
+            const Vector3 low = this->Bounds.Min +
+              Vector3{ (cell % side) * step.X, (cell / side % side) * step.Y, (cell / side / side) * step.Z };
+            this->Bricks[cell] = std::make_unique<VisibilityGrid>(probe, Box{ low, low + step }, parts + 1);
+          }
+        }
+      });
+  }
+
+  double At(const Vector3& point) const
+  {
+    const Vector3 size = this->Bounds.Size();
+    int index[3];
+    double f[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double x = (point[axis] - this->Bounds.Min[axis]) / size[axis] * (this->Side - 1);
+      index[axis] = std::clamp(static_cast<int>(x), 0, this->Side - 2);
+      f[axis] = std::clamp(x - index[axis], 0.0, 1.0);
+    }
+    if (!this->Bricks.empty())
+    {
+      const std::unique_ptr<VisibilityGrid>& brick = this->Bricks[this->CellIndex(index[0], index[1], index[2])];
+      if (brick)
+      {
+        return brick->At(point);
+      }
+    }
+    double sum = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const int i = corner & 1;
+      const int j = (corner >> 1) & 1;
+      const int k = corner >> 2;
+      const std::size_t at =
+        (static_cast<std::size_t>(index[2] + k) * this->Side + index[1] + j) * this->Side + index[0] + i;
+      sum += this->Values[at] * (i ? f[0] : 1.0 - f[0]) * (j ? f[1] : 1.0 - f[1]) * (k ? f[2] : 1.0 - f[2]);
+    }
+    return sum;
+  }
+
+private:
+  std::size_t CellIndex(int i, int j, int k) const
+  {
+    return (static_cast<std::size_t>(k) * (this->Side - 1) + j) * (this->Side - 1) + i;
+  }
+
+  int Side;
+  Box Bounds;
+  std::vector<float> Values;
+  std::vector<std::unique_ptr<VisibilityGrid>> Bricks; ///< a cell; empty: not refined
+};
+
+struct Setting
+{
+  int Size = 256;
+  int Pixels = 2048;
+  int SamplesPerCell = 4;
+  int ReferenceSamples = 0;
+  std::string Folder = ".";
+  std::vector<std::string> Shadows = { "preview", "soft", "exact" };
+  std::vector<int> Sides = { 65 };
+  int Parts = 4;
+  int LightSamples = 64;
+  bool WithoutGrid = false;
+};
+
+class Table
+{
+public:
+  Table(const std::string& name, const Setting& setting)
+    : Scene(LoadBenchmarkScene(name))
+    , Walls(BuildRoom(this->Scene, this->Scene.Source.Spectrum.size()))
+    , RoomScene(this->Walls.Mesh.View())
+    , What(this->Scene.Source, RoomMedium(this->Scene.Source))
+    , Settings(setting)
+    , Truth(SpreadPixels(setting.Size, setting.Pixels))
+    , Rays(this->Truth.size())
+  {
+    vtkSMPTools::For(0, setting.Pixels, 8,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType k = begin; k < end; ++k)
+        {
+          PixelTruth& pixel = this->Truth[k];
+          this->Rays[k] =
+            MakeRay(RoomCamera().PixelRay(pixel.I, pixel.J, setting.Size, setting.Size), this->Scene, this->RoomScene,
+              this->What);
+          TraceTruth(this->Rays[k], this->RoomScene, this->What, setting.SamplesPerCell,
+            static_cast<std::uint64_t>(k), pixel);
+        }
+      });
+  }
+
+  /// The truth against the independent reference: mean difference, and differences over their standard errors.
+  void CheckTruth() const
+  {
+    const std::vector<PixelTruth> reference = ReferencePixels(this->Scene, this->Walls, this->Settings.Size,
+      this->Settings.Pixels, this->Settings.ReferenceSamples, this->Settings.Folder);
+    double difference = 0.0;
+    double variance = 0.0;
+    double sum = 0.0;
+    double squares = 0.0;
+    double count = 0.0;
+    for (std::size_t k = 0; k < reference.size(); ++k)
+    {
+      const double d = this->Truth[k].Mean - reference[k].Mean;
+      const double v = std::pow(this->Truth[k].StandardError, 2) + std::pow(reference[k].StandardError, 2);
+      difference += d;
+      variance += v;
+      sum += reference[k].Mean;
+      if (v > 0.0)
+      {
+        squares += d * d / v;
+        count += 1.0;
+      }
+    }
+    std::printf("# %s: truth minus Testing/Reference %+.5f +- %.5f of the mean; differences over their standard errors "
+                "%.3f (root mean square; 1.07 expected of 16 batches)\n",
+      this->Scene.Name.c_str(), difference / sum, std::sqrt(variance) / sum, std::sqrt(squares / count));
+  }
+
+  void Run()
+  {
+    if (this->Settings.ReferenceSamples > 0)
+    {
+      this->CheckTruth();
+    }
+    this->Print("no shadow", 0, 0, 0.0, 0.0, [](const PixelRay& ray) { return ray.Sum(); });
+    const auto wanted = [&](const char* name)
+    { return std::count(this->Settings.Shadows.begin(), this->Settings.Shadows.end(), name) > 0; };
+    for (const vtkIdType vectors : { 5800, 50000 })
+    {
+      if (!wanted("preview"))
+      {
+        break;
+      }
+      double seconds = 0.0;
+      const std::vector<Cone> cones = this->Cones("preview", vectors, seconds);
+      const ConeHierarchy hierarchy(cones, RoomBounds());
+      this->Print("Fast, Preview", vectors, cones.size(), seconds, 0.0,
+        [&](const PixelRay& ray)
+        {
+          thread_local std::vector<RayInterval> intervals;
+          return OutsideCones(ray, hierarchy, intervals);
+        });
+    }
+    if (wanted("soft"))
+    {
+      this->RunGrid("soft", 5800, VisibilityMethod::Soft);
+      this->RunGrid("soft", 50000, VisibilityMethod::Soft);
+    }
+    if (wanted("exact"))
+    {
+      this->RunGrid("conservative", 50000, VisibilityMethod::Exact);
+    }
+    double noise = 0.0;
+    double sum = 0.0;
+    for (const PixelTruth& pixel : this->Truth)
+    {
+      noise += pixel.StandardError * pixel.StandardError;
+      sum += pixel.Mean;
+    }
+    const auto count = static_cast<double>(this->Truth.size());
+    std::printf("# %s: noise of the truth %.5f of the mean a pixel\n", this->Scene.Name.c_str(),
+      std::sqrt(noise / count) / (sum / count));
+  }
+
+private:
+  std::vector<Cone> Cones(const std::string& set, vtkIdType vectors, double& seconds) const
+  {
+    ConeParameters parameters = NamedParameters(set);
+    parameters.Vectors = vectors;
+    const VectorsOfScene made = MakeVectors(this->Scene, parameters);
+    ConesOfScene cones = MakeCones(made, parameters);
+    seconds = made.Seconds + cones.TuningSeconds + cones.Seconds;
+    return std::move(cones.Cones);
+  }
+
+  void RunGrid(const std::string& set, vtkIdType vectors, VisibilityMethod method)
+  {
+    double seconds = 0.0;
+    const std::vector<Cone> cones = this->Cones(set, vectors, seconds);
+    VisibilityOptions options;
+    options.Method = method;
+    options.NumberOfLightSamples = this->Settings.LightSamples;
+    const std::string name = method == VisibilityMethod::Soft ? "Soft" : "Exact";
+    for (const int side : this->Settings.Sides)
+    {
+      const double start = Now();
+      const VisibilityProbe probe(cones, this->Scene.Source, this->Scene.Fast.get(), RoomBounds(), options);
+      VisibilityGrid grid(probe, RoomBounds(), side);
+      const auto value = [&](const PixelRay& ray)
+      { return WithVisibility(ray, [&](const Vector3& x) { return grid.At(x); }); };
+      const std::string label = name + ", grid " + std::to_string(side);
+      this->Print(label, vectors, cones.size(), seconds, Now() - start, value);
+      if (this->Settings.Parts > 1)
+      {
+        const double more = Now();
+        grid.Refine(probe, cones, this->Settings.Parts);
+        this->Print(label + "x" + std::to_string(this->Settings.Parts), vectors, cones.size(), seconds, Now() - more, value);
+      }
+    }
+    if (this->Settings.WithoutGrid)
+    {
+      const VisibilityProbe probe(cones, this->Scene.Source, this->Scene.Fast.get(), RoomBounds(), options);
+      this->Print(name + ", no grid", vectors, cones.size(), seconds, 0.0,
+        [&](const PixelRay& ray)
+        { return WithVisibility(ray, [&](const Vector3& x) { return probe.At(x).Fraction; }); });
+    }
+  }
+
+  void Print(const std::string& name, vtkIdType vectors, std::size_t cones, double coneSeconds, double fillSeconds,
+    const std::function<double(const PixelRay&)>& value) const
+  {
+    std::vector<double> values(this->Rays.size());
+    const double start = Now();
+    vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()), 8,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType k = begin; k < end; ++k)
+        {
+          values[k] = value(this->Rays[k]);
+        }
+      });
+    const double seconds = Now() - start;
+    const ImageError error = Compare(values, this->Truth);
+    std::printf("%-8s %-18s %8lld %7zu %8.2f %8.3f %8.3f %9.5f %9.5f\n", this->Scene.Name.c_str(), name.c_str(),
+      static_cast<long long>(vectors), cones, coneSeconds, fillSeconds, seconds, error.Rms, error.Bias);
+    std::fflush(stdout);
+  }
+
+  BenchmarkScene Scene;
+  Room Walls;
+  OccluderScene RoomScene;
+  Integrand What;
+  const Setting& Settings;
+  std::vector<PixelTruth> Truth;
+  std::vector<PixelRay> Rays;
+};
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  CLI::App app("How wrong the image is where cones are the shadow itself.");
+  Setting setting;
+  std::vector<std::string> scenes = { "chair", "tree", "blob" };
+  std::vector<std::string> meshes;
+  app.add_option("--scene", scenes, "chair, tree, blob, or a mesh file")->capture_default_str();
+  app.add_option("--mesh", meshes, "mesh files beside the scenes");
+  app.add_option("--shadow", setting.Shadows, "rows to make")->check(CLI::IsMember({ "preview", "soft", "exact" }));
+  app.add_option("--size", setting.Size, "width and height in pixels")->check(CLI::PositiveNumber);
+  app.add_option("--pixels", setting.Pixels, "pixels that are compared with the truth")->check(CLI::PositiveNumber);
+  app.add_option("--samples", setting.SamplesPerCell, "occlusion rays of the truth, in units of 4,096 a pixel")
+    ->check(CLI::PositiveNumber);
+  app.add_option("--grid", setting.Sides, "vertices along a side of the grid, one or more")->check(CLI::Range(2, 513));
+  app.add_option("--parts", setting.Parts, "parts into which sides of cells at base discs are cut; 1: no such rows")
+    ->check(CLI::PositiveNumber);
+  app.add_option("--light-samples", setting.LightSamples, "light points a vertex")->check(CLI::PositiveNumber);
+  app.add_flag("--without-grid", setting.WithoutGrid, "also ask for the visible fraction along the rays themselves");
+  app.add_option("--reference", setting.ReferenceSamples, "samples a pixel of Testing/Reference to hold the truth against");
+  app.add_option("--cache", setting.Folder, "folder that keeps the reference from one run to the next");
+  CLI11_PARSE(app, argc, argv);
+  scenes.insert(scenes.end(), meshes.begin(), meshes.end());
+
+  try
+  {
+    std::printf("# %d of %d x %d pixels, %d light points a vertex; error and bias of the medium term over its mean, the "
+                "truth's noise taken off\n# seconds: cones = vectors, tuning and fit; fill = visible fractions on the grid (x4: what its finer "
+                "cells add); "
+                "image = %d pixels, the lit part excluded\n",
+      setting.Pixels, setting.Size, setting.Size, setting.LightSamples, setting.Pixels);
+    std::printf("%-8s %-18s %8s %7s %8s %8s %8s %9s %9s\n", "scene", "shadow", "vectors", "cones", "cones s", "fill s",
+      "image s", "error", "bias");
+    for (const std::string& name : scenes)
+    {
+      Table(name, setting).Run();
+    }
+  }
+  catch (const std::exception& failure)
+  {
+    std::fprintf(stderr, "cone-image: %s\n", failure.what());
+    return 1;
+  }
+  return 0;
+}
