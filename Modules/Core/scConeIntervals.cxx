@@ -247,4 +247,57 @@ bool ConeHierarchy::Contains(const Vector3& point) const
   });
 }
 
+void ConeHierarchy::ConesAt(const Vector3& point, std::vector<int>& cones) const
+{
+  cones.clear();
+  if (!this->Impl->Bounds.Contains(point))
+  {
+    return;
+  }
+  this->Impl->Tree.ForEachAtPoint(point, [&](const ConeTree::Entry& entry) {
+    if (ConeContains(this->Impl->Cones[entry.Cone], point, entry.High))
+    {
+      cones.push_back(entry.Cone);
+    }
+  });
+  // A cone may be met in several of its slices.
+  std::sort(cones.begin(), cones.end());
+  cones.erase(std::unique(cones.begin(), cones.end()), cones.end());
+}
+
+void ConeHierarchy::OccludersAt(const Vector3& point, std::vector<int>& occluderIds) const
+{
+  this->ConesAt(point, occluderIds);
+  for (int& id : occluderIds)
+  {
+    id = this->Impl->Cones[id].OccluderId;
+  }
+  std::sort(occluderIds.begin(), occluderIds.end());
+  occluderIds.erase(std::unique(occluderIds.begin(), occluderIds.end()), occluderIds.end());
+}
+
+bool ConeHierarchy::MarkGrid(const Vector3& origin, const Vector3& spacing, const std::array<int, 3>& dimensions,
+  const Monitor& monitor, unsigned char* marks) const
+{
+  const vtkIdType rows = static_cast<vtkIdType>(dimensions[1]) * dimensions[2];
+  return ParallelFor(rows, monitor, [&](vtkIdType first, vtkIdType last) {
+    std::vector<RayInterval> intervals;
+    for (vtkIdType row = first; row < last; ++row)
+    {
+      const Vector3 start = origin +
+        Vector3{ 0.0, spacing.Y * static_cast<double>(row % dimensions[1]), spacing.Z * static_cast<double>(row / dimensions[1]) };
+      const double length = spacing.X * dimensions[0];
+      this->Intersect(start, { 1.0, 0.0, 0.0 }, 0.0, length, intervals);
+      unsigned char* mark = marks + row * dimensions[0];
+      std::fill(mark, mark + dimensions[0], static_cast<unsigned char>(0));
+      for (const RayInterval& interval : intervals)
+      {
+        const int begin = std::max(0, static_cast<int>(std::ceil(interval.Begin / spacing.X)));
+        const int end = std::min(dimensions[0] - 1, static_cast<int>(std::floor(interval.End / spacing.X)));
+        std::fill(mark + begin, mark + std::max(begin, end + 1), static_cast<unsigned char>(1));
+      }
+    }
+  });
+}
+
 } // namespace shadowcones

@@ -10,6 +10,7 @@
 #include "scConeSet.h"
 #include "scVector3.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -51,6 +52,16 @@ public:
     std::vector<RayInterval>& intervals, bool perOccluder = false) const;
   /// Does any cone hold the point?
   bool Contains(const Vector3& point) const;
+  /// The cones that hold the point, as indices into Cones(), ascending; @p cones is overwritten.
+  void ConesAt(const Vector3& point, std::vector<int>& cones) const;
+  /// The occluders whose cones hold the point, ascending, each once; @p occluderIds is overwritten.
+  void OccludersAt(const Vector3& point, std::vector<int>& occluderIds) const;
+  /**
+   * Mark the vertices of a regular grid that a cone holds: marks[i + nx (j + ny k)] is 1 there and 0 elsewhere. One ray query a
+   * row, rows in parallel. @return false where aborted.
+   */
+  bool MarkGrid(const Vector3& origin, const Vector3& spacing, const std::array<int, 3>& dimensions,
+    const Monitor& monitor, unsigned char* marks) const;
   const std::vector<Cone>& Cones() const;
 
 private:

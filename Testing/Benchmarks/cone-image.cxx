@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How wrong the image is where cones are the shadow itself: no mesh is asked for what is lit.
 //
-// The medium term along a ray is written as lit minus blocked. Every row has the same lit part, and the truth too, so that
-// the error is that of the shadow alone: root of the mean square over pixels, over the mean of the truth. The truth's
+// The medium term along a ray is written as lit minus blocked. Every row has the same lit part, and the truth too, so
+// that the error is of the shadow alone: root of the mean square over pixels, over the mean of the truth. The truth's
 // blocked part is estimated with occlusion rays at random places and light points of its own; its noise is known and
 // taken off. --reference holds the truth against the independent renderer of Testing/Reference.
 #include "RoomImage.h"
@@ -286,7 +286,8 @@ public:
         {
           for (int i = first[0]; i <= last[0]; ++i)
           {
-            const Vector3 middle = this->Bounds.Min + Vector3{ (i + 0.5) * step.X, (j + 0.5) * step.Y, (k + 0.5) * step.Z };
+            const Vector3 offset{ (i + 0.5) * step.X, (j + 0.5) * step.Y, (k + 0.5) * step.Z };
+            const Vector3 middle = this->Bounds.Min + offset;
             if (std::abs(Dot(disc.Normal, middle - disc.Center)) <= half)
             {
               wanted[this->CellIndex(i, j, k)] = 1;
@@ -502,7 +503,8 @@ private:
       {
         const double more = Now();
         grid.Refine(probe, cones, this->Settings.Parts);
-        this->Print(label + "x" + std::to_string(this->Settings.Parts), vectors, cones.size(), seconds, Now() - more, value);
+        const double fill = Now() - more;
+        this->Print(label + "x" + std::to_string(this->Settings.Parts), vectors, cones.size(), seconds, fill, value);
       }
     }
     if (this->Settings.WithoutGrid)
@@ -562,16 +564,17 @@ int main(int argc, char* argv[])
     ->check(CLI::PositiveNumber);
   app.add_option("--light-samples", setting.LightSamples, "light points a vertex")->check(CLI::PositiveNumber);
   app.add_flag("--without-grid", setting.WithoutGrid, "also ask for the visible fraction along the rays themselves");
-  app.add_option("--reference", setting.ReferenceSamples, "samples a pixel of Testing/Reference to hold the truth against");
+  app.add_option(
+    "--reference", setting.ReferenceSamples, "samples a pixel of Testing/Reference to hold the truth against");
   app.add_option("--cache", setting.Folder, "folder that keeps the reference from one run to the next");
   CLI11_PARSE(app, argc, argv);
   scenes.insert(scenes.end(), meshes.begin(), meshes.end());
 
   try
   {
-    std::printf("# %d of %d x %d pixels, %d light points a vertex; error and bias of the medium term over its mean, the "
-                "truth's noise taken off\n# seconds: cones = vectors, tuning and fit; fill = visible fractions on the grid (x4: what its finer "
-                "cells add); "
+    std::printf("# %d of %d x %d pixels, %d light points a vertex; error and bias of the medium term over its mean, "
+                "the truth's noise taken off\n# seconds: cones = vectors, tuning and fit; fill = visible fractions on the "
+                "grid (x4: what its finer cells add); "
                 "image = %d pixels, the lit part excluded\n",
       setting.Pixels, setting.Size, setting.Size, setting.LightSamples, setting.Pixels);
     std::printf("%-8s %-18s %8s %7s %8s %8s %8s %9s %9s\n", "scene", "shadow", "vectors", "cones", "cones s", "fill s",

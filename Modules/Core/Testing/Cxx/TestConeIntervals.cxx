@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace shadowcones;
@@ -330,6 +331,74 @@ TEST(ConeHierarchy, AgreesWithItsOwnPoints)
       }
     }
   }
+}
+
+TEST(ConeHierarchy, NamesTheConesAndOccludersAtAPoint)
+{
+  std::vector<Cone> cones = RandomCones(200, 51);
+  for (std::size_t i = 0; i < cones.size(); ++i)
+  {
+    cones[i].OccluderId = static_cast<int>(i % 7);
+  }
+  const ConeHierarchy hierarchy(cones, Room, 2.0);
+  int several = 0;
+  for (int i = 0; i < 2000; ++i)
+  {
+    RandomStream random(52, static_cast<std::uint64_t>(i));
+    const Vector3 size = Room.Size();
+    const double u = random.Next();
+    const double v = random.Next();
+    const Vector3 point = Room.Min + Vector3{ u * size.X, v * size.Y, random.Next() * size.Z };
+    std::vector<int> expected;
+    std::vector<int> occluders;
+    for (std::size_t c = 0; c < cones.size(); ++c)
+    {
+      if (ConeContains(cones[c], point, 2.0))
+      {
+        expected.push_back(static_cast<int>(c));
+        occluders.push_back(cones[c].OccluderId);
+      }
+    }
+    std::sort(occluders.begin(), occluders.end());
+    occluders.erase(std::unique(occluders.begin(), occluders.end()), occluders.end());
+    std::vector<int> found;
+    hierarchy.ConesAt(point, found);
+    EXPECT_EQ(found, expected);
+    hierarchy.OccludersAt(point, found);
+    EXPECT_EQ(found, occluders);
+    several += expected.size() > 1;
+  }
+  EXPECT_GT(several, 100);
+}
+
+TEST(ConeHierarchy, MarksTheVerticesThatContainsFinds)
+{
+  const std::vector<Cone> cones = RandomCones(30, 61);
+  const ConeHierarchy hierarchy(cones, Room);
+  const std::array<int, 3> dimensions{ 23, 17, 19 };
+  const Vector3 size = Room.Size();
+  const Vector3 spacing{ size.X / 22.0, size.Y / 16.0, size.Z / 18.0 };
+  std::vector<unsigned char> marks(23 * 17 * 19, 7);
+  ASSERT_TRUE(hierarchy.MarkGrid(Room.Min, spacing, dimensions, {}, marks.data()));
+  int marked = 0;
+  int different = 0;
+  for (int k = 0; k < 19; ++k)
+  {
+    for (int j = 0; j < 17; ++j)
+    {
+      for (int i = 0; i < 23; ++i)
+      {
+        const Vector3 point = Room.Min + Vector3{ spacing.X * i, spacing.Y * j, spacing.Z * k };
+        const int mark = marks[i + 23 * (j + 17 * k)];
+        ASSERT_LE(mark, 1);
+        marked += mark;
+        different += (mark != 0) != hierarchy.Contains(point);
+      }
+    }
+  }
+  EXPECT_GT(marked, 100);
+  EXPECT_LT(marked, 23 * 17 * 19 - 100);
+  EXPECT_LE(different, 2); // vertices on the room's faces, where round-off decides
 }
 
 TEST(ConeHierarchy, OfNothingIsEmpty)
