@@ -352,13 +352,15 @@ bool Measure(const TuningData& data, const LightExtent& light, ConeTuning tuning
 ConeSetOptions Recipe(ConeTuning tuning, ConeSetOptions options)
 {
   options.NumberOfNeighbors = 100;
-  options.NumberOfSectors = 20;
   options.PointsPerRing = 16;
   options.MinimumVectorsPerCone = 20;
   options.VarianceThreshold = tuning == ConeTuning::Soft ? 1.4 : 1.8;
   options.CosineCorrection = tuning == ConeTuning::Preview;
   options.Expansion = ConeExpansion::LightGeometry;
   options.Overlap = tuning != ConeTuning::Preview;
+  options.ExpansionFraction = 1.0;
+  options.RadiusScale = 1.0;
+  options.MaximumOverspill = 1.0;
   return options;
 }
 
