@@ -2,6 +2,8 @@
 // The probe as a filter: every kind of data set, points and cells, pieces, threads, abort, and what it refuses.
 #include "vtkConeSetProbe.h"
 
+#include "FilterTesting.h"
+
 #include "scAdapters.h"
 #include "vtkAreaLightSource.h"
 
@@ -12,7 +14,6 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -42,24 +43,6 @@ using namespace shadowcones;
 namespace
 {
 const char* const arrays[] = { "Visibility", "ShadowClass", "OccluderId", "VisibilityError" };
-
-/// Errors of a filter and its executive, kept instead of printed.
-class Messages
-{
-public:
-  explicit Messages(vtkAlgorithm* filter)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<Messages*>(self)->Text += static_cast<const char*>(text); });
-    filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
-  }
-  std::string Text;
-
-private:
-  vtkNew<vtkCallbackCommand> Command;
-};
 
 /// A square of half size 0.5 at height 1; triangles with the ids 3 and 8, and a receiver at height 0.5.
 vtkSmartPointer<vtkPolyData> Mesh()
@@ -148,10 +131,10 @@ protected:
   /// Update must fail with a message that holds the text, and leave no arrays.
   void ExpectError(const std::string& part)
   {
-    Messages messages(this->Filter);
+    filtertesting::Messages messages(this->Filter);
     this->Filter->Modified();
     this->Filter->Update();
-    EXPECT_NE(messages.Text.find(part), std::string::npos) << "got: " << messages.Text;
+    EXPECT_NE(messages.Errors.find(part), std::string::npos) << "got: " << messages.Errors;
     EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
     EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
   }
@@ -535,7 +518,7 @@ TEST_F(ConeSetProbe, ReportsProgressAndStops)
 
 TEST_F(ConeSetProbe, EmptyInputsAreValid)
 {
-  Messages messages(this->Filter);
+  filtertesting::Messages messages(this->Filter);
   vtkNew<vtkPolyData> nothing;
   for (const int association : { 0, 1 })
   {
@@ -556,16 +539,16 @@ TEST_F(ConeSetProbe, EmptyInputsAreValid)
   this->Filter->SetConeSetData(BoundingCone());
   this->Filter->SetMeshData(nothing);
   EXPECT_EQ(this->At(0.2, 0.7, -0.2), 1.0);
-  EXPECT_EQ(messages.Text, "");
+  EXPECT_EQ(messages.Errors, "");
 }
 
 TEST_F(ConeSetProbe, SoftNeedsNoMesh)
 {
-  Messages messages(this->Filter);
+  filtertesting::Messages messages(this->Filter);
   this->Filter->SetMeshConnection(nullptr);
   this->Filter->SetMethodToSoft();
   EXPECT_EQ(this->At(0.2, 0.7, -0.2), 0.0);
-  EXPECT_EQ(messages.Text, "");
+  EXPECT_EQ(messages.Errors, "");
 }
 
 TEST_F(ConeSetProbe, SaysWhatIsWrong)

@@ -2,6 +2,8 @@
 // vtkLabelOccluders: its report on tiny meshes and on real ones, its messages, and what every filter promises.
 #include "vtkLabelOccluders.h"
 
+#include "FilterTesting.h"
+
 #include "vtk3DSImporter.h"
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -12,7 +14,6 @@
 #include "vtkCleanPolyData.h"
 #include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkFeatureEdges.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -51,22 +52,6 @@ namespace
 {
 
 using Filter = vtkSmartPointer<vtkLabelOccluders>;
-
-/// Collects what a filter reports.
-struct Messages
-{
-  explicit Messages(vtkObject* object)
-  {
-    this->Callback->SetClientData(this);
-    this->Callback->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<Messages*>(self)->Text += static_cast<const char*>(text); });
-    object->AddObserver(vtkCommand::ErrorEvent, this->Callback);
-  }
-  bool Has(const std::string& part) const { return this->Text.find(part) != std::string::npos; }
-
-  vtkNew<vtkCallbackCommand> Callback;
-  std::string Text;
-};
 
 int Report(vtkPolyData* data, const char* name, vtkIdType index = 0)
 {
@@ -129,13 +114,13 @@ std::string Error(vtkDataObject* input, double tolerance = 1e-9, int labelBy = v
   filter->SetInputDataObject(input);
   filter->SetWeldTolerance(tolerance);
   filter->SetLabelBy(labelBy);
-  Messages messages(filter);
+  filtertesting::Messages messages(filter);
   vtkNew<vtkCallbackCommand> silent;
   filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silent);
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
-  return messages.Text;
+  return messages.Errors;
 }
 
 #define EXPECT_HAS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
@@ -395,9 +380,9 @@ TEST(LabelOccluders, EmptyInEmptyOut)
   {
     auto filter = Filter::New();
     filter->SetInputDataObject(input);
-    Messages messages(filter);
+    filtertesting::Messages messages(filter);
     filter->Update();
-    EXPECT_EQ(messages.Text, "");
+    EXPECT_EQ(messages.Errors, "");
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
     EXPECT_EQ(Report(filter->GetOutput(), "NumberOfOccluders"), 0);
     EXPECT_TRUE(filter->GetOutput()->GetCellData()->HasArray("OccluderId"));
@@ -519,11 +504,11 @@ TEST(LabelOccluders, ThreadsProgressAbort)
   abort->SetCallback(
     [](vtkObject* filter, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1); });
   two->AddObserver(vtkCommand::ProgressEvent, abort);
-  Messages messages(two);
+  filtertesting::Messages messages(two);
   two->Modified();
   two->Update();
   EXPECT_EQ(two->GetOutput()->GetNumberOfCells(), 0);
-  EXPECT_EQ(messages.Text, "");
+  EXPECT_EQ(messages.Errors, "");
 }
 
 TEST(LabelOccluders, PrintsEveryMember)

@@ -2,6 +2,8 @@
 // vtkShadowVolume: volumes that can be written down, closed manifolds of any cones, what VTK makes of them, messages.
 #include "vtkShadowVolume.h"
 
+#include "FilterTesting.h"
+
 #include "scAdapters.h"
 #include "scLightData.h"
 #include "scRandom.h"
@@ -13,7 +15,6 @@
 #include "vtkClipClosedSurface.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
-#include "vtkExecutive.h"
 #include "vtkFeatureEdges.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -249,22 +250,6 @@ std::vector<double> Bytes(vtkPolyData* surface)
   return values;
 }
 
-/// Collects what a filter reports, in place of printing it.
-struct Messages
-{
-  explicit Messages(vtkAlgorithm* filter)
-  {
-    this->Callback->SetClientData(this);
-    this->Callback->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<Messages*>(self)->Text += static_cast<const char*>(text); });
-    filter->AddObserver(vtkCommand::ErrorEvent, this->Callback);
-    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Silent);
-  }
-  vtkNew<vtkCallbackCommand> Callback;
-  vtkNew<vtkCallbackCommand> Silent;
-  std::string Text;
-};
-
 /// The message for a changed filter over one good cone; the outputs must be empty.
 template <typename Change>
 std::string Error(Change&& change)
@@ -273,11 +258,11 @@ std::string Error(Change&& change)
   auto filter = Filter::New();
   filter->SetInputData(cones);
   change(filter.Get(), cones.Get());
-  Messages messages(filter);
+  filtertesting::Messages messages(filter);
   filter->Update();
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfCells(), 0);
   EXPECT_EQ(filter->GetOutput(1)->GetNumberOfCells(), 0);
-  return messages.Text;
+  return messages.Errors;
 }
 
 void ExpectHas(const std::string& text, const std::string& part)
@@ -548,17 +533,17 @@ TEST(ShadowVolume, ProgressAbortInput)
   abort->SetCallback(
     [](vtkObject* self, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(self)->SetAbortExecute(1); });
   filter->AddObserver(vtkCommand::ProgressEvent, abort);
-  Messages messages(filter);
+  filtertesting::Messages messages(filter);
   filter->Modified();
   filter->Update();
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfCells(), 0);
-  EXPECT_EQ(messages.Text, "");
+  EXPECT_EQ(messages.Errors, "");
 }
 
 TEST(ShadowVolume, EmptyAndFlatInputs)
 {
   auto filter = Filter::New();
-  Messages messages(filter);
+  filtertesting::Messages messages(filter);
   filter->SetInputData(MakeConeSet({}));
   filter->Update();
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfCells(), 0);
@@ -568,7 +553,7 @@ TEST(ShadowVolume, EmptyAndFlatInputs)
   filter->SetInputData(MakeConeSet({ MakeCone({}, 0.0, 0.0, 0.0, 1), MakeCone({}, 0.2, 0.1, -0.1, 2) }));
   filter->Update();
   EXPECT_EQ(Ids(filter->GetOutput(0)).front(), 2);
-  EXPECT_EQ(messages.Text, "");
+  EXPECT_EQ(messages.Errors, "");
 }
 
 TEST(ShadowVolume, FieldDataIsThatOfTheConeSet)
