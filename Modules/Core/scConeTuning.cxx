@@ -4,151 +4,42 @@
 #include "scConeIntervals.h"
 #include "scConeTree.h"
 #include "scRandom.h"
+#include "scTuningData.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
-#include <stdexcept>
+#include <cmath>
 
 namespace shadowcones
 {
 namespace
 {
-constexpr vtkIdType largestNumberOfVectors = 40000;
-constexpr std::size_t largestNumberOfPaths = 6000;
 constexpr double coneCost = 0.05;      ///< Conservative: what a cone per vector is worth in leak
+constexpr double boundsMargin = 0.5;   ///< Conservative: light counts in the paths' bounds, grown by this share of them
+constexpr double previewMargin = 0.25; ///< Preview: the same, nearer to the occluders, where images look
 constexpr double largestScale = 2.0;   ///< Soft: radii are not scaled beyond this
 constexpr int numberOfProbes = 24;     ///< parameter sets spread over the ranges before the best is refined
-constexpr int cellsPerSide = 12;       ///< Preview: columns in which lost and leaked light may cancel
+constexpr int numberOfRounds = 2;      ///< of steps from the best
+constexpr vtkIdType fewVectors = 6000;   ///< Preview and Soft: to search with
+constexpr vtkIdType manyVectors = 40000; ///< to choose among the best with
+constexpr std::size_t numberOfFinalists = 6;
 
-/// A quarter of the photons, by a hash of what a vector and a path of the same photon have in common.
-bool IsHeldOut(const double* emission, const float* direction)
+/// What judging a kind of tuning needs again and again.
+struct Judge
 {
-  std::uint64_t hash = 0;
-  for (int i = 0; i < 3; ++i)
+  Judge(const ShadowVectorView& vectors, const PhotonPathView& paths, ConeTuning tuning,
+    vtkIdType largestNumberOfVectors)
+    : Data(vectors, paths, largestNumberOfVectors)
+    , Region(Data.Region(tuning == ConeTuning::Preview ? previewMargin : boundsMargin))
   {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, emission + i, sizeof(double));
-    std::uint32_t more = 0;
-    std::memcpy(&more, direction + i, sizeof(float));
-    hash = HashSeed(hash ^ bits, more);
-  }
-  return hash % 4 == 0;
-}
-
-/// A ray along a held-out path: lit up to Stop, in shadow from there on.
-struct HeldOutPath
-{
-  Vector3 Origin;
-  Vector3 Direction;
-  double Stop;    ///< HUGE_VAL where the path is lit to its end
-  int Column = 0; ///< of a grid across the paths, in which neighbouring paths share an entry
-};
-
-/// Vectors to fit and paths to judge by.
-class TuningData
-{
-public:
-  TuningData(const ShadowVectorView& vectors, const PhotonPathView& paths)
-  {
-    const vtkIdType stride = std::max<vtkIdType>(1, (vectors.Count + largestNumberOfVectors - 1) / largestNumberOfVectors);
-    for (vtkIdType i = 0; i < vectors.Count; i += stride)
+    if (tuning == ConeTuning::Preview)
     {
-      if (vectors.EmissionPoints && IsHeldOut(vectors.EmissionPoints + 3 * i, vectors.Directions + 3 * i))
-      {
-        continue;
-      }
-      this->Points.insert(this->Points.end(), vectors.Points + 3 * i, vectors.Points + 3 * i + 3);
-      this->Directions.insert(this->Directions.end(), vectors.Directions + 3 * i, vectors.Directions + 3 * i + 3);
-      if (vectors.EmissionPoints)
-      {
-        this->EmissionPoints.insert(
-          this->EmissionPoints.end(), vectors.EmissionPoints + 3 * i, vectors.EmissionPoints + 3 * i + 3);
-      }
-      this->OccluderIds.push_back(vectors.OccluderIds ? vectors.OccluderIds[i] : 0);
-    }
-
-    Box bounds;
-    for (vtkIdType i = 0; i < paths.Count; ++i)
-    {
-      const double* p = paths.Points + 3 * i;
-      const double* e = paths.EmissionPoints + 3 * i;
-      bounds.Add(Vector3{ p[0], p[1], p[2] });
-      bounds.Add(Vector3{ e[0], e[1], e[2] });
-      if (!IsHeldOut(e, paths.Directions + 3 * i) || this->Paths.size() >= largestNumberOfPaths)
-      {
-        continue;
-      }
-      HeldOutPath path;
-      path.Origin = { e[0], e[1], e[2] };
-      const float* d = paths.Directions + 3 * i;
-      path.Direction = Normalized({ d[0], d[1], d[2] });
-      path.Stop = paths.States[i] != 0 ? Length(Vector3{ p[0], p[1], p[2] } - path.Origin) : HUGE_VAL;
-      this->NumberBlocked += paths.States[i] != 0;
-      this->Paths.push_back(path);
-    }
-    const double margin = 0.5 * bounds.Diagonal();
-    this->Region.Min = bounds.Min - Vector3{ margin, margin, margin };
-    this->Region.Max = bounds.Max + Vector3{ margin, margin, margin };
-    this->SetColumns();
-    if (this->NumberBlocked == 0 || this->NumberBlocked == static_cast<vtkIdType>(this->Paths.size()))
-    {
-      throw std::invalid_argument("tuning needs both lit and blocked photon paths; of " +
-        std::to_string(this->Paths.size()) + " held out, " + std::to_string(this->NumberBlocked) + " are blocked");
+      this->Samples = this->Data.SamplesIn(this->Region);
     }
   }
 
-  /// Number the columns of a grid across the paths where they pass the middle of the region.
-  void SetColumns()
-  {
-    Vector3 axis;
-    for (const HeldOutPath& path : this->Paths)
-    {
-      axis += path.Direction;
-    }
-    axis = Normalized(axis);
-    const Frame frame = FrameAround(axis);
-    const Vector3 middle = this->Region.Center();
-    std::vector<std::array<double, 2>> crossings;
-    Box bounds;
-    for (const HeldOutPath& path : this->Paths)
-    {
-      const Vector3 offset = path.Origin - middle;
-      const double slope = std::max(Dot(path.Direction, axis), 1e-3);
-      const Vector3 crossing = offset - (Dot(offset, axis) / slope) * path.Direction;
-      crossings.push_back({ Dot(crossing, frame.U), Dot(crossing, frame.V) });
-      bounds.Add(Vector3{ crossings.back()[0], crossings.back()[1], 0.0 });
-    }
-    const auto cell = [](double x, double low, double high) {
-      return std::clamp(static_cast<int>((x - low) / std::max(high - low, 1e-300) * cellsPerSide), 0, cellsPerSide - 1);
-    };
-    for (std::size_t i = 0; i < crossings.size(); ++i)
-    {
-      this->Paths[i].Column = cell(crossings[i][0], bounds.Min.X, bounds.Max.X) * cellsPerSide +
-        cell(crossings[i][1], bounds.Min.Y, bounds.Max.Y);
-    }
-  }
-
-  ShadowVectorView Vectors() const
-  {
-    ShadowVectorView view;
-    view.Count = static_cast<vtkIdType>(this->OccluderIds.size());
-    view.Points = this->Points.data();
-    view.Directions = this->Directions.data();
-    view.EmissionPoints = this->EmissionPoints.empty() ? nullptr : this->EmissionPoints.data();
-    view.OccluderIds = this->OccluderIds.data();
-    return view;
-  }
-
-  std::vector<HeldOutPath> Paths;
-  vtkIdType NumberBlocked = 0;
-  Box Region;
-
-private:
-  std::vector<double> Points;
-  std::vector<float> Directions;
-  std::vector<double> EmissionPoints;
-  std::vector<int> OccluderIds;
+  TuningData Data;
+  Box Region;                      ///< where light counts
+  std::vector<PathSample> Samples; ///< Preview
 };
 
 /// Lengths of light, summed over the held-out paths.
@@ -157,15 +48,14 @@ struct LightSums
   double Blocked = 0.0;
   double Leaked = 0.0; ///< blocked, outside the cones
   double Lost = 0.0;   ///< lit, inside the cones
-  std::vector<double> Columns = std::vector<double>(cellsPerSide * cellsPerSide, 0.0); ///< leaked minus lost, by column
 };
 
-LightSums SumLight(const TuningData& data, const std::vector<Cone>& cones)
+LightSums SumLight(const Judge& judge, const std::vector<Cone>& cones)
 {
-  const ConeHierarchy hierarchy(cones, data.Region);
+  const ConeHierarchy hierarchy(cones, judge.Region);
   // Fixed chunks, joined in order: the sums do not depend on the number of threads.
   constexpr vtkIdType chunk = 256;
-  const auto count = static_cast<vtkIdType>(data.Paths.size());
+  const auto count = static_cast<vtkIdType>(judge.Data.HeldOut.size());
   std::vector<LightSums> parts(static_cast<std::size_t>((count + chunk - 1) / chunk));
   ParallelFor(static_cast<vtkIdType>(parts.size()), {}, [&](vtkIdType first, vtkIdType last) {
     std::vector<RayInterval> intervals;
@@ -173,10 +63,10 @@ LightSums SumLight(const TuningData& data, const std::vector<Cone>& cones)
     {
       for (vtkIdType i = part * chunk; i < std::min(count, (part + 1) * chunk); ++i)
       {
-        const HeldOutPath& path = data.Paths[i];
+        const HeldOutPath& path = judge.Data.HeldOut[i];
         double begin = 0.0;
         double end = HUGE_VAL;
-        if (!data.Region.Clip(path.Origin, path.Direction, begin, end))
+        if (!judge.Region.Clip(path.Origin, path.Direction, begin, end))
         {
           continue;
         }
@@ -190,10 +80,8 @@ LightSums SumLight(const TuningData& data, const std::vector<Cone>& cones)
           leaked -= std::max(0.0, interval.End - std::max(interval.Begin, stop));
           lost += std::max(0.0, std::min(interval.End, stop) - interval.Begin);
         }
-        leaked = std::max(0.0, leaked);
-        parts[part].Leaked += leaked;
+        parts[part].Leaked += std::max(0.0, leaked);
         parts[part].Lost += lost;
-        parts[part].Columns[path.Column] += leaked - lost;
       }
     }
   });
@@ -203,10 +91,6 @@ LightSums SumLight(const TuningData& data, const std::vector<Cone>& cones)
     sums.Blocked += part.Blocked;
     sums.Leaked += part.Leaked;
     sums.Lost += part.Lost;
-    for (std::size_t column = 0; column < sums.Columns.size(); ++column)
-    {
-      sums.Columns[column] += part.Columns[column];
-    }
   }
   return sums;
 }
@@ -218,49 +102,107 @@ void SetSums(const LightSums& sums, ConeTuningResult& result)
   result.Lost = sums.Lost / blocked;
 }
 
-void MeasureConservative(const TuningData& data, const std::vector<Cone>& cones, ConeTuningResult& result)
+void MeasureConservative(const Judge& judge, const std::vector<Cone>& cones, ConeTuningResult& result)
 {
-  SetSums(SumLight(data, cones), result);
+  SetSums(SumLight(judge, cones), result);
   result.Objective =
-    result.Leak + coneCost * static_cast<double>(cones.size()) / static_cast<double>(data.Vectors().Count);
+    result.Leak + coneCost * static_cast<double>(cones.size()) / static_cast<double>(judge.Data.Vectors().Count);
+}
+
+/// For each sample the smallest share of the half angles at which a cone holds it; HUGE_VAL: none does at @p largest.
+std::vector<double> HoldingShares(const Judge& judge, const std::vector<Cone>& cones, double largest)
+{
+  std::vector<Cone> narrow = cones;
+  for (Cone& cone : narrow)
+  {
+    cone.HalfAngle *= largest;
+  }
+  const ConeTree tree = ConeTree::OverSlices(narrow, judge.Region, HUGE_VAL);
+  std::vector<double> shares(judge.Samples.size(), HUGE_VAL);
+  ParallelFor(static_cast<vtkIdType>(shares.size()), {}, [&](vtkIdType first, vtkIdType last) {
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      double smallest = HUGE_VAL;
+      tree.AnyAtPoint(judge.Samples[i].Point, [&](const ConeTree::Entry& entry) {
+        const Cone& cone = cones[entry.Cone];
+        const Vector3 offset = judge.Samples[i].Point - cone.Center;
+        const double height = Dot(offset, cone.Axis);
+        const double beyond = std::sqrt(std::max(0.0, Dot(offset, offset) - height * height)) - cone.BaseRadius;
+        if (height >= 0.0)
+        {
+          smallest = std::min(smallest, beyond > 0.0 ? std::atan2(beyond, height) / cone.HalfAngle : 0.0);
+        }
+        return smallest == 0.0;
+      });
+      shares[i] = smallest <= largest ? smallest : HUGE_VAL;
+    }
+  });
+  return shares;
 }
 
 /// The share of the angle at which as much lit light is lost inside the cones as blocked light leaks outside.
-void MeasurePreview(const TuningData& data, const std::vector<Cone>& cones, ConeTuningResult& result)
+void MeasurePreview(const Judge& judge, const std::vector<Cone>& cones, ConeTuningResult& result)
 {
-  const auto at = [&](double fraction) {
-    std::vector<Cone> scaled = cones;
-    for (Cone& cone : scaled)
+  std::vector<double> shares;
+  const auto at = [&](double share) {
+    LightSums sums;
+    for (std::size_t i = 0; i < shares.size(); ++i)
     {
-      cone.HalfAngle *= fraction;
+      const PathSample& sample = judge.Samples[i];
+      const bool inside = shares[i] <= share;
+      sums.Blocked += sample.Blocked ? sample.Length : 0.0;
+      sums.Leaked += sample.Blocked && !inside ? sample.Length : 0.0;
+      sums.Lost += !sample.Blocked && inside ? sample.Length : 0.0;
     }
-    return SumLight(data, scaled);
+    return sums;
   };
-  double low = 0.0;
-  double high = 1.0;
-  LightSums sums = at(low);
-  double fraction = low;
-  if (sums.Lost < sums.Leaked)
+  // Few samples lie in narrow cones, and the balance mostly lies there: wide ones are asked only where it does not.
+  LightSums sums;
+  double high = 0.0;
+  for (const double largest : { 0.25, 1.0 })
   {
-    for (int i = 0; i < 8; ++i)
+    high = largest;
+    shares = HoldingShares(judge, cones, largest);
+    sums = at(largest);
+    if (sums.Lost >= sums.Leaked)
     {
-      fraction = 0.5 * (low + high);
-      sums = at(fraction);
-      (sums.Lost < sums.Leaked ? low : high) = fraction;
+      break;
     }
   }
+  double low = 0.0;
+  sums = at(low);
+  high = sums.Lost < sums.Leaked ? high : low;
+  for (int i = 0; i < 12 && low < high; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    sums = at(middle);
+    (sums.Lost < sums.Leaked ? low : high) = middle;
+  }
+  const double fraction = high;
+  sums = at(fraction);
   SetSums(sums, result);
   result.Options.ExpansionFraction = fraction;
-  double imbalance = 0.0;
-  for (const double column : sums.Columns)
+
+  constexpr int side = TuningData::CellsPerSide;
+  std::vector<double> cells(side * side * side, 0.0);
+  for (std::size_t i = 0; i < shares.size(); ++i)
   {
-    imbalance += std::abs(column);
+    const PathSample& sample = judge.Samples[i];
+    if (sample.Blocked != (shares[i] <= fraction))
+    {
+      cells[sample.Cell] += sample.Blocked ? sample.Length : -sample.Length;
+    }
+  }
+  double imbalance = 0.0;
+  for (const double cell : cells)
+  {
+    imbalance += std::abs(cell);
   }
   result.Objective = imbalance / std::max(sums.Blocked, 1e-300);
 }
 
 /// For each path the smallest factor on the radii at which a base disc blocks it; HUGE_VAL where none does up to the largest.
-std::vector<double> BlockingScales(const TuningData& data, const std::vector<Cone>& cones)
+std::vector<double> BlockingScales(const Judge& judge, const std::vector<Cone>& cones)
 {
   std::vector<Cone> discs = cones;
   for (Cone& disc : discs)
@@ -269,11 +211,11 @@ std::vector<double> BlockingScales(const TuningData& data, const std::vector<Con
     disc.Axis = disc.Normal;
   }
   const ConeTree tree = ConeTree::OverBases(discs);
-  std::vector<double> scales(data.Paths.size(), HUGE_VAL);
+  std::vector<double> scales(judge.Data.HeldOut.size(), HUGE_VAL);
   ParallelFor(static_cast<vtkIdType>(scales.size()), {}, [&](vtkIdType first, vtkIdType last) {
     for (vtkIdType i = first; i < last; ++i)
     {
-      const HeldOutPath& path = data.Paths[i];
+      const HeldOutPath& path = judge.Data.HeldOut[i];
       tree.ForEachOnRay(path.Origin, path.Direction, 0.0, HUGE_VAL, [&](const ConeTree::Entry& entry) {
         const Cone& disc = cones[entry.Cone];
         const double slope = Dot(path.Direction, disc.Normal);
@@ -290,14 +232,14 @@ std::vector<double> BlockingScales(const TuningData& data, const std::vector<Con
 }
 
 /// The factor on the radii at which as many lit paths are caught as blocked ones are missed.
-void MeasureSoft(const TuningData& data, const std::vector<Cone>& cones, ConeTuningResult& result)
+void MeasureSoft(const Judge& judge, const std::vector<Cone>& cones, ConeTuningResult& result)
 {
-  const std::vector<double> scales = BlockingScales(data, cones);
+  const std::vector<double> scales = BlockingScales(judge, cones);
   std::vector<double> lit;
   std::vector<double> blocked;
   for (std::size_t i = 0; i < scales.size(); ++i)
   {
-    (std::isfinite(data.Paths[i].Stop) ? blocked : lit).push_back(scales[i]);
+    (std::isfinite(judge.Data.HeldOut[i].Stop) ? blocked : lit).push_back(scales[i]);
   }
   std::sort(lit.begin(), lit.end());
   std::sort(blocked.begin(), blocked.end());
@@ -321,28 +263,34 @@ void MeasureSoft(const TuningData& data, const std::vector<Cone>& cones, ConeTun
   result.Objective = 1.0 - positives / (total + falsePositives);
 }
 
+bool IsBetter(const ConeTuningResult& a, const ConeTuningResult& b)
+{
+  return a.Objective < b.Objective;
+}
+
 /// Fit with the options in the result, measure, and set what balances.
-bool Measure(const TuningData& data, const LightExtent& light, ConeTuning tuning, const Monitor& monitor,
+bool Measure(const Judge& judge, const LightExtent& light, ConeTuning tuning, const Monitor& monitor,
   ConeTuningResult& result)
 {
   ConeSetOptions options = result.Options;
   options.ExpansionFraction = 1.0;
   options.RadiusScale = 1.0;
   ConeSet set;
-  if (!FitConeSet(data.Vectors(), {}, light, options, Monitor{ nullptr, monitor.Aborted }, set))
+  const PhotonPathView paths = options.MaximumOverspill < 1.0 ? judge.Data.Paths() : PhotonPathView{};
+  if (!FitConeSet(judge.Data.Vectors(), paths, light, options, Monitor{ nullptr, monitor.Aborted }, set))
   {
     return false;
   }
   switch (tuning)
   {
     case ConeTuning::Preview:
-      MeasurePreview(data, set.Cones, result);
+      MeasurePreview(judge, set.Cones, result);
       break;
     case ConeTuning::Soft:
-      MeasureSoft(data, set.Cones, result);
+      MeasureSoft(judge, set.Cones, result);
       break;
     default:
-      MeasureConservative(data, set.Cones, result);
+      MeasureConservative(judge, set.Cones, result);
       break;
   }
   return true;
@@ -357,10 +305,10 @@ ConeSetOptions Recipe(ConeTuning tuning, ConeSetOptions options)
   options.VarianceThreshold = tuning == ConeTuning::Soft ? 1.4 : 1.8;
   options.CosineCorrection = tuning == ConeTuning::Preview;
   options.Expansion = ConeExpansion::LightGeometry;
-  options.Overlap = tuning != ConeTuning::Preview;
+  options.Overlap = true;
   options.ExpansionFraction = 1.0;
   options.RadiusScale = 1.0;
-  options.MaximumOverspill = 1.0;
+  options.MaximumOverspill = tuning == ConeTuning::Preview ? 0.25 : 1.0;
   return options;
 }
 
@@ -393,8 +341,67 @@ std::vector<ConeSetOptions> Neighbors(const ConeSetOptions& options)
     step = options;
     step.VarianceThreshold = std::max(1.0, options.VarianceThreshold + (factor - 1.0));
     steps.push_back(step);
+    if (options.MaximumOverspill < 1.0)
+    {
+      step = options;
+      step.MaximumOverspill = std::min(0.9, factor * factor * options.MaximumOverspill);
+      steps.push_back(step);
+    }
   }
   return steps;
+}
+
+/// A recipe, probes over the ranges, then steps from the best. @param tried every parameter set measured, the recipe first.
+bool Search(const Judge& judge, const LightExtent& light, ConeTuning tuning, const ConeSetOptions& recipe,
+  const Monitor& monitor, std::vector<ConeTuningResult>& tried)
+{
+  const double expected = 1.0 + numberOfProbes + numberOfRounds * static_cast<double>(Neighbors(recipe).size());
+  const auto attempt = [&](const ConeSetOptions& options) {
+    if (CheckConeSetOptions(options))
+    {
+      return true;
+    }
+    ConeTuningResult candidate;
+    candidate.Options = options;
+    if (!Measure(judge, light, tuning, monitor, candidate))
+    {
+      return false;
+    }
+    tried.push_back(candidate);
+    if (monitor.Progress)
+    {
+      monitor.Progress(std::min(1.0, static_cast<double>(tried.size()) / expected));
+    }
+    return true;
+  };
+  const auto best = [&]() { return *std::min_element(tried.begin(), tried.end(), IsBetter); };
+  if (!attempt(recipe))
+  {
+    return false;
+  }
+  for (int probe = 0; probe < numberOfProbes; ++probe)
+  {
+    if (!attempt(Probe(recipe, probe)))
+    {
+      return false;
+    }
+  }
+  for (int round = 0; round < numberOfRounds; ++round)
+  {
+    const ConeTuningResult from = best();
+    for (const ConeSetOptions& step : Neighbors(from.Options))
+    {
+      if (!attempt(step))
+      {
+        return false;
+      }
+    }
+    if (!IsBetter(best(), from))
+    {
+      break;
+    }
+  }
+  return true;
 }
 
 } // anonymous namespace
@@ -405,7 +412,7 @@ bool MeasureTuning(const ShadowVectorView& vectors, const PhotonPathView& paths,
   result = {};
   result.Options = options;
   result.NumberOfFits = 1;
-  return Measure(TuningData(vectors, paths), light, tuning, monitor, result);
+  return Measure(Judge(vectors, paths, tuning, manyVectors), light, tuning, monitor, result);
 }
 
 bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, const LightExtent& light,
@@ -417,61 +424,36 @@ bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, c
   {
     return true;
   }
-  const TuningData data(vectors, paths);
-  result.Options = Recipe(tuning, options);
-  if (!Measure(data, light, tuning, monitor, result))
+  const bool many = tuning != ConeTuning::Conservative && vectors.Count > fewVectors;
+  const double share = many ? 0.5 : 1.0;
+  std::vector<ConeTuningResult> tried;
+  if (!Search(Judge(vectors, paths, tuning, many ? fewVectors : manyVectors), light, tuning, Recipe(tuning, options),
+        monitor.Part(0.0, share), tried))
   {
     return false;
   }
-  result.StartObjective = result.Objective;
-  result.NumberOfFits = 1;
-  const auto attempt = [&](const ConeSetOptions& options) {
-    if (CheckConeSetOptions(options))
-    {
-      return true;
-    }
-    ConeTuningResult candidate;
-    candidate.Options = options;
-    candidate.StartObjective = result.StartObjective;
-    candidate.NumberOfFits = result.NumberOfFits + 1;
-    if (!Measure(data, light, tuning, monitor, candidate))
-    {
-      return false;
-    }
-    if (candidate.Objective < result.Objective)
-    {
-      result = candidate;
-    }
-    result.NumberOfFits = candidate.NumberOfFits;
-    if (monitor.Progress)
-    {
-      monitor.Progress(std::min(1.0, result.NumberOfFits / (numberOfProbes + 18.0)));
-    }
-    return true;
-  };
-  const ConeSetOptions recipe = result.Options;
-  for (int probe = 0; probe < numberOfProbes; ++probe)
+  const auto fits = tried.size();
+  std::stable_sort(tried.begin() + 1, tried.end(), IsBetter);
+  if (many)
   {
-    if (!attempt(Probe(recipe, probe)))
+    // More vectors make other cones of the same parameters: the recipe and the best few are measured again.
+    const Judge judge(vectors, paths, tuning, manyVectors);
+    tried.resize(std::min(tried.size(), 1 + numberOfFinalists));
+    for (std::size_t i = 0; i < tried.size(); ++i)
     {
-      return false;
-    }
-  }
-  for (int round = 0; round < 2; ++round)
-  {
-    const double before = result.Objective;
-    for (const ConeSetOptions& step : Neighbors(result.Options))
-    {
-      if (!attempt(step))
+      if (!Measure(judge, light, tuning, monitor, tried[i]))
       {
         return false;
       }
-    }
-    if (!(result.Objective < before))
-    {
-      break;
+      if (monitor.Progress)
+      {
+        monitor.Progress(share + (1.0 - share) * static_cast<double>(i + 1) / static_cast<double>(tried.size()));
+      }
     }
   }
+  result = *std::min_element(tried.begin(), tried.end(), IsBetter);
+  result.StartObjective = tried.front().Objective;
+  result.NumberOfFits = static_cast<int>(fits + (many ? tried.size() : 0));
   return true;
 }
 

@@ -62,9 +62,10 @@ public:
   ///@{
   /// How the parameters below are chosen. Manual: as they are set. The others need photon paths and choose everything but
   /// NumberOfSectors and PlanarityThreshold, by fitting three quarters of the photons and measuring on the rest (section 6.1).
-  /// Conservative: bounds, the least leak with few cones. Preview: the shadow itself, ExpansionFraction so that lit light lost
-  /// inside the cones equals blocked light leaking outside. Soft: base discs as surfels for vtkConeSetProbe, RadiusScale so that
-  /// lit paths caught equal blocked paths missed, then the best intersection over union. Default Manual.
+  /// Conservative: bounds, the least leak with few cones. Preview: the shadow itself, bases trimmed by the photon paths and
+  /// ExpansionFraction so that lit light lost inside the cones equals blocked light leaking outside. Soft: base discs as
+  /// surfels for vtkConeSetProbe, RadiusScale so that lit paths caught equal blocked paths missed, then the best intersection
+  /// over union. Default Manual.
   vtkSetMacro(Tuning, int);
   vtkGetMacro(Tuning, int);
   void SetTuningToManual() { this->SetTuning(MANUAL); }

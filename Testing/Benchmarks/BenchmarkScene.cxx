@@ -94,6 +94,7 @@ void UseChosen(vtkConeSetFilter* filter)
   filter->SetExpansion(static_cast<int>(value("Expansion")));
   filter->SetExpansionFraction(value("ExpansionFraction"));
   filter->SetRadiusScale(value("RadiusScale"));
+  filter->SetMaximumOverspill(value("MaximumOverspill"));
   filter->SetOverlap(value("Overlap") != 0.0);
 }
 } // namespace

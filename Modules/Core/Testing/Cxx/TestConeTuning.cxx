@@ -8,8 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 using namespace shadowcones;
 
@@ -48,8 +51,14 @@ protected:
     mesh.NumberOfTriangles = static_cast<vtkIdType>(this->Triangles.size() / 3);
     mesh.OccluderIds = this->Ids.data();
     this->Scene = std::make_unique<OccluderScene>(mesh);
+    this->Trace(4000);
+    this->Extent = LightExtentOf(this->Source);
+  }
+
+  void Trace(vtkIdType count)
+  {
     ShadowVectorOptions options;
-    options.TargetNumberOfVectors = 4000;
+    options.TargetNumberOfVectors = count;
     ASSERT_TRUE(TraceShadowVectors(*this->Scene, this->Source, options, {}, this->Traced));
 
     this->Vectors.Count = static_cast<vtkIdType>(this->Traced.Vectors.OccluderIds.size());
@@ -61,17 +70,17 @@ protected:
     this->Paths.EmissionPoints = this->Traced.Paths.EmissionPoints.data();
     this->Paths.Directions = this->Traced.Paths.Directions.data();
     this->Paths.States = this->Traced.Paths.States.data();
-    this->Extent = LightExtentOf(this->Source);
   }
 
-  /// Shares of the blocked and of the lit light of a box below the slats that lie inside the cones.
-  std::pair<double, double> SharesInside(const std::vector<Cone>& cones) const
+  /// Rays of a box below the slats, [blocked][inside the cones].
+  using Counts = std::array<std::array<double, 2>, 2>;
+  Counts CountLight(const std::vector<Cone>& cones) const
   {
     Box bounds;
     bounds.Add(Vector3{ -1.5, -2.0, -1.5 });
     bounds.Add(Vector3{ 1.5, -0.01, 1.5 });
     const ConeHierarchy hierarchy(cones, bounds);
-    double counts[2][2] = {};
+    Counts counts = {};
     for (int i = 0; i < 20000; ++i)
     {
       RandomStream random(99, static_cast<std::uint64_t>(i));
@@ -81,13 +90,20 @@ protected:
       const bool blocked = this->Scene->Occluded(x, sample.Direction, 0.0, sample.Distance);
       counts[blocked][hierarchy.Contains(x)] += 1.0;
     }
+    return counts;
+  }
+
+  /// Shares of the blocked and of the lit light of the box that lie inside the cones.
+  std::pair<double, double> SharesInside(const std::vector<Cone>& cones) const
+  {
+    const Counts counts = this->CountLight(cones);
     return { counts[1][1] / (counts[1][0] + counts[1][1]), counts[0][1] / (counts[0][0] + counts[0][1]) };
   }
 
   ConeSet FitTuned(const ConeTuningResult& tuned) const
   {
     ConeSet set;
-    EXPECT_TRUE(FitConeSet(this->Vectors, {}, this->Extent, tuned.Options, {}, set));
+    EXPECT_TRUE(FitConeSet(this->Vectors, this->Paths, this->Extent, tuned.Options, {}, set));
     return set;
   }
 
@@ -126,6 +142,79 @@ TEST_F(TunedSlats, PreviewBalancesLostAndLeakedLight)
   full.Options.ExpansionFraction = 1.0;
   EXPECT_GT(
     this->SharesInside(this->FitTuned(full).Cones).second, 1.2 * this->SharesInside(this->FitTuned(tuned).Cones).second);
+}
+
+TEST_F(TunedSlats, PreviewTrimsBasesAndGains)
+{
+  ConeTuningResult tuned;
+  ASSERT_TRUE(TuneConeSet(this->Vectors, this->Paths, this->Extent, ConeTuning::Preview, {}, {}, tuned));
+  ASSERT_LT(tuned.Options.MaximumOverspill, 1.0);
+  const ConeSet set = this->FitTuned(tuned);
+  for (const Cone& cone : set.Cones)
+  {
+    EXPECT_LE(cone.Overspill, tuned.Options.MaximumOverspill);
+  }
+  // Whole bases, balanced anew, are wrong for more of the light.
+  ConeSetOptions whole = tuned.Options;
+  whole.MaximumOverspill = 1.0;
+  ConeTuningResult balanced;
+  ASSERT_TRUE(MeasureTuning(this->Vectors, this->Paths, this->Extent, ConeTuning::Preview, whole, {}, balanced));
+  const auto wrong = [this](const std::vector<Cone>& cones) {
+    const Counts counts = this->CountLight(cones);
+    return counts[0][1] + counts[1][0];
+  };
+  EXPECT_LT(wrong(set.Cones), 0.9 * wrong(this->FitTuned(balanced).Cones));
+}
+
+TEST_F(TunedSlats, PreviewSearchesWithFewVectorsAndChoosesWithMany)
+{
+  this->Trace(8000);
+  double last = 0.0;
+  Monitor monitor;
+  monitor.Progress = [&](double share) {
+    EXPECT_GE(share, last);
+    last = share;
+  };
+  ConeTuningResult tuned;
+  ASSERT_TRUE(TuneConeSet(this->Vectors, this->Paths, this->Extent, ConeTuning::Preview, {}, monitor, tuned));
+  EXPECT_DOUBLE_EQ(last, 1.0);
+  EXPECT_LE(tuned.Objective, tuned.StartObjective);
+  ConeTuningResult measured;
+  ASSERT_TRUE(
+    MeasureTuning(this->Vectors, this->Paths, this->Extent, ConeTuning::Preview, tuned.Options, {}, measured));
+  EXPECT_EQ(measured.Objective, tuned.Objective);
+  EXPECT_EQ(measured.Options.ExpansionFraction, tuned.Options.ExpansionFraction);
+}
+
+TEST_F(TunedSlats, OrderOfThePathsHardlyMatters)
+{
+  this->Trace(20000);
+  std::vector<vtkIdType> order(this->Traced.Paths.States.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&](vtkIdType a, vtkIdType b) { return this->Traced.Paths.States[a] < this->Traced.Paths.States[b]; });
+  auto sorted = this->Traced.Paths;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    sorted.States[i] = this->Traced.Paths.States[order[i]];
+    for (int k = 0; k < 3; ++k)
+    {
+      sorted.Points[3 * i + k] = this->Traced.Paths.Points[3 * order[i] + k];
+      sorted.EmissionPoints[3 * i + k] = this->Traced.Paths.EmissionPoints[3 * order[i] + k];
+      sorted.Directions[3 * i + k] = this->Traced.Paths.Directions[3 * order[i] + k];
+    }
+  }
+  PhotonPathView view = this->Paths;
+  view.Points = sorted.Points.data();
+  view.EmissionPoints = sorted.EmissionPoints.data();
+  view.Directions = sorted.Directions.data();
+  view.States = sorted.States.data();
+  ConeTuningResult asTraced;
+  ConeTuningResult litFirst;
+  ASSERT_TRUE(MeasureTuning(this->Vectors, this->Paths, this->Extent, ConeTuning::Soft, {}, {}, asTraced));
+  ASSERT_TRUE(MeasureTuning(this->Vectors, view, this->Extent, ConeTuning::Soft, {}, {}, litFirst));
+  EXPECT_NEAR(litFirst.Objective, asTraced.Objective, 0.03);
+  EXPECT_NEAR(litFirst.Options.RadiusScale, asTraced.Options.RadiusScale, 0.03);
 }
 
 TEST_F(TunedSlats, SoftBalancesCaughtAndMissedPaths)

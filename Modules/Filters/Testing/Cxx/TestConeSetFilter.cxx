@@ -302,9 +302,13 @@ TEST(ConeSetFilter, TuningChoosesTheParametersAndSaysSo)
   EXPECT_GT(FieldValue(conservative, "TuningObjective"), leak); // cones cost something
 
   const auto preview = tuned(vtkConeSetFilter::PREVIEW);
-  EXPECT_EQ(FieldValue(preview, "Overlap"), 0.0);
+  EXPECT_EQ(FieldValue(preview, "Overlap"), 1.0);
+  EXPECT_EQ(FieldValue(preview, "CosineCorrection"), 1.0);
+  EXPECT_GT(FieldValue(preview, "MaximumOverspill"), 0.0);
+  EXPECT_LT(FieldValue(preview, "MaximumOverspill"), 1.0);
   EXPECT_GT(FieldValue(preview, "ExpansionFraction"), 0.0);
-  EXPECT_LT(FieldValue(preview, "ExpansionFraction"), 1.0);
+  EXPECT_LE(FieldValue(preview, "ExpansionFraction"), 1.0);
+  EXPECT_LT(FieldValue(preview, "TuningObjective"), 0.05); // a flat board is an easy shadow
   EXPECT_NEAR(FieldValue(preview, "TuningLost"), FieldValue(preview, "TuningLeak"), 0.02);
 
   const auto soft = tuned(vtkConeSetFilter::SOFT);
