@@ -180,16 +180,28 @@ void MergeIntervals(std::vector<RayInterval>& intervals, bool perOccluder)
   }
 }
 
+std::vector<Cone> Lengthened(std::vector<Cone> cones)
+{
+  for (Cone& cone : cones)
+  {
+    const double before = cone.BaseRadius;
+    cone.Center = cone.Center - before * cone.Axis;
+    cone.BaseRadius += std::max(0.0, -before * std::tan(cone.HalfAngle));
+  }
+  return cones;
+}
+
 struct ConeHierarchy::Implementation
 {
   std::vector<Cone> Cones;
   std::vector<double> Tangents;
   Box Bounds;
+  double Length;
   ConeTree Tree;
 };
 
 ConeHierarchy::ConeHierarchy(const std::vector<Cone>& cones, const Box& bounds, double length)
-  : Impl(new Implementation{ cones, {}, bounds, ConeTree::OverSlices(cones, bounds, length) })
+  : Impl(new Implementation{ cones, {}, bounds, length, ConeTree::OverSlices(cones, bounds, length) })
 {
   for (const Cone& cone : cones)
   {
@@ -202,6 +214,11 @@ ConeHierarchy::~ConeHierarchy() = default;
 const std::vector<Cone>& ConeHierarchy::Cones() const
 {
   return this->Impl->Cones;
+}
+
+double ConeHierarchy::Length() const
+{
+  return this->Impl->Length;
 }
 
 void ConeHierarchy::Intersect(const Vector3& origin, const Vector3& direction, double tMin, double tMax,
@@ -261,6 +278,27 @@ void ConeHierarchy::ConesAt(const Vector3& point, std::vector<int>& cones) const
     }
   });
   // A cone may be met in several of its slices.
+  std::sort(cones.begin(), cones.end());
+  cones.erase(std::unique(cones.begin(), cones.end()), cones.end());
+}
+
+void ConeHierarchy::ConesInBeam(const std::array<BeamPlane, 4>& planes, std::vector<int>& cones) const
+{
+  cones.clear();
+  const auto inside = [&](const Box& box) {
+    for (const BeamPlane& plane : planes)
+    {
+      // The box's corner that lies deepest inside.
+      const Vector3 corner{ plane.Normal.X > 0.0 ? box.Max.X : box.Min.X, plane.Normal.Y > 0.0 ? box.Max.Y : box.Min.Y,
+        plane.Normal.Z > 0.0 ? box.Max.Z : box.Min.Z };
+      if (Dot(plane.Normal, corner) < plane.Offset)
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  this->Impl->Tree.ForEachInside(inside, [&](const ConeTree::Entry& entry) { cones.push_back(entry.Cone); });
   std::sort(cones.begin(), cones.end());
   cones.erase(std::unique(cones.begin(), cones.end()), cones.end());
 }

@@ -37,6 +37,16 @@ SHADOWCONESCORE_EXPORT bool IntersectCone(const Cone& cone, double length, const
 /// Sort intervals and merge those that touch; with @p perOccluder only within the same occluder.
 SHADOWCONESCORE_EXPORT void MergeIntervals(std::vector<RayInterval>& intervals, bool perOccluder = false);
 
+/// Cones that begin one base radius nearer to the light: points on a surface may lie just before the base fitted to it.
+SHADOWCONESCORE_EXPORT std::vector<Cone> Lengthened(std::vector<Cone> cones);
+
+/// A half-space: the points x with Normal . x >= Offset.
+struct BeamPlane
+{
+  Vector3 Normal;
+  double Offset = 0.0;
+};
+
 /// A bounding-volume hierarchy over cones inside a box: built once, queried often, from any number of threads.
 class SHADOWCONESCORE_EXPORT ConeHierarchy
 {
@@ -54,6 +64,8 @@ public:
   bool Contains(const Vector3& point) const;
   /// The cones that hold the point, as indices into Cones(), ascending; @p cones is overwritten.
   void ConesAt(const Vector3& point, std::vector<int>& cones) const;
+  /// The cones that may reach into all four half-spaces at once, as indices into Cones(), ascending; @p cones is overwritten.
+  void ConesInBeam(const std::array<BeamPlane, 4>& planes, std::vector<int>& cones) const;
   /// The occluders whose cones hold the point, ascending, each once; @p occluderIds is overwritten.
   void OccludersAt(const Vector3& point, std::vector<int>& occluderIds) const;
   /**
@@ -63,6 +75,8 @@ public:
   bool MarkGrid(const Vector3& origin, const Vector3& spacing, const std::array<int, 3>& dimensions,
     const Monitor& monitor, unsigned char* marks) const;
   const std::vector<Cone>& Cones() const;
+  /// Where they are cut, from their base.
+  double Length() const;
 
 private:
   struct Implementation;

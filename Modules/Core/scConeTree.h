@@ -70,6 +70,16 @@ public:
     return this->Traverse([&](const Box& box) { return box.Contains(point); }, accept);
   }
 
+  /// Call visit(entry) for every entry whose box may reach inside: inside(box) answers for boxes, and for boxes around them.
+  template <typename Test, typename Visitor>
+  void ForEachInside(Test&& inside, Visitor&& visit) const
+  {
+    this->Traverse(inside, [&](const Entry& entry) {
+      visit(entry);
+      return false;
+    });
+  }
+
 private:
   struct Node
   {
@@ -91,8 +101,10 @@ private:
     {
       const double a = (box.Min[axis] - origin[axis]) * inverse[axis];
       const double b = (box.Max[axis] - origin[axis]) * inverse[axis];
-      tMin = std::fmax(tMin, std::fmin(a, b));
-      tMax = std::fmin(tMax, std::fmax(a, b));
+      const double near = a < b ? a : b;
+      const double far = a < b ? b : a;
+      tMin = near > tMin ? near : tMin;
+      tMax = far < tMax ? far : tMax;
     }
     return tMin <= tMax;
   }

@@ -15,13 +15,16 @@
 namespace shadowcones
 {
 
-/// Homogeneous medium. SigmaS and SigmaA have one value per wavelength sample of the light, 1 / world unit, >= 0.
+struct DensityGrid;
+
+/// SigmaS and SigmaA have one value per wavelength sample of the light, 1 / world unit, >= 0.
 struct Medium
 {
   std::vector<double> SigmaS;
   std::vector<double> SigmaA;
   PhaseFunction Phase;
   Box Bounds;
+  const DensityGrid* Density = nullptr; ///< prepared; multiplies SigmaS and SigmaA inside Bounds. nullptr: 1 everywhere
 };
 
 } // namespace shadowcones

@@ -17,6 +17,10 @@ namespace shadowcones
 namespace
 {
 constexpr double relativeEpsilon = 2e-6;
+/// Rays in one query: eight fill the vectors of most machines.
+constexpr int packetSize = OccluderScene::PacketSize;
+/// In Embree's frame, where the mesh has a diagonal of 2: farther origins have too few digits in single precision.
+constexpr double farthestPacket = 8.0;
 
 /// A triangle on the way of a ray, and the distance to it in Embree's frame.
 struct FoundTriangle
@@ -61,9 +65,20 @@ void Nearest(RTCScene scene, RTCRayHit& rayHit)
 {
   rtcIntersect1(scene, &rayHit);
 }
+void NearestOfPacket(const int* valid, RTCScene scene, RTCRayHit8& rayHits)
+{
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcIntersect8(valid, scene, &rayHits, &arguments);
+}
 void Any(RTCScene scene, RTCRay& ray)
 {
   rtcOccluded1(scene, &ray);
+}
+void AnyOfPacket(const int* valid, RTCScene scene, RTCRay8& rays)
+{
+  rtcOccluded8(valid, scene, &rays);
 }
 void Collect(RTCScene scene, RTCRayHit& rayHit, std::vector<FoundTriangle>& found)
 {
@@ -92,11 +107,24 @@ void Nearest(RTCScene scene, RTCRayHit& rayHit)
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene, &context, &rayHit);
 }
+void NearestOfPacket(const int* valid, RTCScene scene, RTCRayHit8& rayHits)
+{
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect8(valid, scene, &context, &rayHits);
+}
 void Any(RTCScene scene, RTCRay& ray)
 {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcOccluded1(scene, &context, &ray);
+}
+void AnyOfPacket(const int* valid, RTCScene scene, RTCRay8& rays)
+{
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded8(valid, scene, &context, &rays);
 }
 void Collect(RTCScene scene, RTCRayHit& rayHit, std::vector<FoundTriangle>& found)
 {
@@ -282,6 +310,51 @@ bool OccluderScene::Intersect(
   return true;
 }
 
+void OccluderScene::IntersectPacket(
+  const Vector3* origins, const Vector3* directions, int count, RayHit* hits) const
+{
+  alignas(32) RTCRayHit8 packet;
+  alignas(32) int valid[packetSize];
+  double starts[packetSize] = {};
+  for (int k = 0; k < packetSize; ++k)
+  {
+    EmbreeRay query{};
+    const bool asked = k < count && this->Impl->Prepare(origins[k], directions[k], 0.0, HUGE_VAL, query);
+    valid[k] = asked ? -1 : 0;
+    starts[k] = query.Start;
+    packet.ray.org_x[k] = query.Ray.org_x;
+    packet.ray.org_y[k] = query.Ray.org_y;
+    packet.ray.org_z[k] = query.Ray.org_z;
+    packet.ray.dir_x[k] = query.Ray.dir_x;
+    packet.ray.dir_y[k] = query.Ray.dir_y;
+    packet.ray.dir_z[k] = query.Ray.dir_z;
+    packet.ray.tnear[k] = query.Ray.tnear;
+    packet.ray.tfar[k] = query.Ray.tfar;
+    packet.ray.time[k] = 0.0f;
+    packet.ray.mask[k] = ~0u;
+    packet.ray.id[k] = 0;
+    packet.ray.flags[k] = 0;
+    packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+    packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+  }
+  if (!this->Impl->Bounds.Empty())
+  {
+    NearestOfPacket(valid, this->Impl->Scene, packet);
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    RayHit& hit = hits[k];
+    hit = RayHit();
+    if (valid[k] && packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID)
+    {
+      hit.Triangle = packet.hit.primID[k];
+      const double found = starts[k] + packet.ray.tfar[k] / this->Impl->Scale;
+      hit.T = this->Impl->Refine(hit.Triangle, origins[k], directions[k], found);
+      hit.FrontFacing = Dot(this->TriangleNormal(hit.Triangle), directions[k]) <= 0.0;
+    }
+  }
+}
+
 void OccluderScene::IntersectAll(
   const Vector3& origin, const Vector3& direction, double tMin, double tMax, std::vector<RayHit>& hits) const
 {
@@ -327,6 +400,70 @@ bool OccluderScene::Occluded(const Vector3& origin, const Vector3& direction, do
   }
   Any(this->Impl->Scene, query.Ray);
   return query.Ray.tfar < 0.0f;
+}
+
+std::uint64_t OccluderScene::OccludedFrom(const Vector3& origin, const double* x, const double* y, const double* z,
+  std::uint64_t wanted, bool infinity) const
+{
+  const Implementation& impl = *this->Impl;
+  const Vector3 start = impl.Scale * (origin - impl.Center);
+  if (impl.Bounds.Empty() || !IsFinite(start))
+  {
+    return 0;
+  }
+  std::uint64_t occluded = 0;
+  // From far away rays are to start at the bounds, each at its own place.
+  if (Dot(start, start) > farthestPacket * farthestPacket)
+  {
+    for (int k = 0; k < 64; ++k)
+    {
+      const Vector3 to{ x[k], y[k], z[k] };
+      const double distance = (wanted >> k) & 1u ? Length(to) : 0.0;
+      const double end = infinity ? HUGE_VAL : distance - impl.Epsilon;
+      const bool hit = distance > 0.0 && this->Occluded(origin, (1.0 / distance) * to, impl.Epsilon, end);
+      occluded |= static_cast<std::uint64_t>(hit) << k;
+    }
+    return occluded;
+  }
+  for (int first = 0; first < 64; first += packetSize)
+  {
+    if (((wanted >> first) & ((1u << packetSize) - 1)) == 0)
+    {
+      continue;
+    }
+    alignas(32) RTCRay8 rays;
+    alignas(32) int valid[packetSize];
+    for (int k = 0; k < packetSize; ++k)
+    {
+      const double dx = x[first + k];
+      const double dy = y[first + k];
+      const double dz = z[first + k];
+      const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+      const bool asked = ((wanted >> (first + k)) & 1u) && distance > 0.0 && std::isfinite(distance);
+      const double scale = asked ? 1.0 / distance : 0.0;
+      const double end = infinity ? HUGE_VAL : impl.Scale * (distance - impl.Epsilon);
+      valid[k] = asked ? -1 : 0;
+      rays.org_x[k] = static_cast<float>(start.X);
+      rays.org_y[k] = static_cast<float>(start.Y);
+      rays.org_z[k] = static_cast<float>(start.Z);
+      rays.dir_x[k] = static_cast<float>(dx * scale);
+      rays.dir_y[k] = static_cast<float>(dy * scale);
+      rays.dir_z[k] = static_cast<float>(dz * scale);
+      rays.tnear[k] = static_cast<float>(impl.Scale * impl.Epsilon);
+      rays.tfar[k] = static_cast<float>(end);
+      rays.time[k] = 0.0f;
+      rays.mask[k] = ~0u;
+      rays.id[k] = 0;
+      rays.flags[k] = 0;
+    }
+    AnyOfPacket(valid, impl.Scene, rays);
+    for (int k = 0; k < packetSize; ++k)
+    {
+      const bool hit = valid[k] && rays.tfar[k] < 0.0f;
+      occluded |= static_cast<std::uint64_t>(hit) << (first + k);
+    }
+  }
+  return occluded;
 }
 
 Vector3 OccluderScene::TriangleNormal(vtkIdType triangle) const

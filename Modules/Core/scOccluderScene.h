@@ -10,6 +10,7 @@
 #include "scVector3.h"
 #include "vtkType.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -61,11 +62,25 @@ public:
 
   /// Nearest hit with T in (tMin, tMax); @p direction unit. @return false where there is none.
   bool Intersect(const Vector3& origin, const Vector3& direction, double tMin, double tMax, RayHit& hit) const;
+  /// So many rays at most in one call of IntersectPacket().
+  static constexpr int PacketSize = 8;
+  /**
+   * Intersect for rays of any length that run close together, and faster. Answers for @p count of them, Triangle -1 where
+   * there is no hit. Of triangles at one distance either may be found: it is the same one for the same packet.
+   */
+  void IntersectPacket(const Vector3* origins, const Vector3* directions, int count, RayHit* hits) const;
   /// All hits with T in (tMin, tMax), ascending, each triangle once; @p hits is overwritten.
   void IntersectAll(
     const Vector3& origin, const Vector3& direction, double tMin, double tMax, std::vector<RayHit>& hits) const;
   /// Is there any hit with T in (tMin, tMax)? tMax may be infinite.
   bool Occluded(const Vector3& origin, const Vector3& direction, double tMin, double tMax) const;
+  /**
+   * Occluded for up to 64 rays from one point, several at a time: bit k of the answer where there is a hit on the way
+   * along (x[k], y[k], z[k]), farther than Epsilon() from both ends; to @p infinity the vectors are unit and have no end.
+   * Only rays in @p wanted are asked for; all three arrays have 64 values.
+   */
+  std::uint64_t OccludedFrom(const Vector3& origin, const double* x, const double* y, const double* z,
+    std::uint64_t wanted, bool infinity) const;
   /// Unit normal of a triangle by its winding.
   Vector3 TriangleNormal(vtkIdType triangle) const;
 

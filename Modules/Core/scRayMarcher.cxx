@@ -18,6 +18,7 @@ RayMarcher::RayMarcher(const MarchScene& scene)
   : Scene(scene)
   , NumberOfGroups(scene.Groups.Count())
   , Sampler(scene.LightSource, scene.Options.Sampling)
+  , Depth(scene.Fog)
   , Intensities(static_cast<std::size_t>(scene.Strata.Count()))
 {
 }
@@ -25,7 +26,7 @@ RayMarcher::RayMarcher(const MarchScene& scene)
 void RayMarcher::March(const Camera::Ray& ray, double tBegin, double tEnd, std::uint64_t pixel)
 {
   this->Ray = ray;
-  this->TBegin = tBegin;
+  this->Depth.SetRay(ray.Origin, ray.Direction, tBegin, tEnd);
   this->PixelSeed = HashSeed(this->Scene.Options.Seed, pixel);
   this->Sums.assign(static_cast<std::size_t>(this->NumberOfGroups), 0.0);
   this->SumOfVariances = 0.0;
@@ -36,15 +37,7 @@ void RayMarcher::March(const Camera::Ray& ray, double tBegin, double tEnd, std::
   const std::size_t slots = this->Nodes.size() + static_cast<std::size_t>(this->Scene.Options.MaximumDepth);
   this->Values.resize(slots * static_cast<std::size_t>(this->NumberOfGroups));
 
-  // The ray's largest intensity comes from the base nodes, so that halving does not depend on the order of visits.
-  double largest = 0.0;
-  for (Node& node : this->Nodes)
-  {
-    this->Evaluate(node);
-    largest = std::max(largest, node.Intensity);
-  }
-  this->Threshold = this->Scene.Options.IntensityThreshold * largest;
-
+  this->EvaluateBaseNodes();
   for (const Stretch& stretch : this->Stretches)
   {
     this->PendingWeight = 0.0;
@@ -116,6 +109,29 @@ void RayMarcher::FindStretches(double tBegin, double tEnd)
   }
 }
 
+void RayMarcher::EvaluateBaseNodes()
+{
+  // The ray's largest intensity comes from the base nodes, so that halving does not depend on the order of visits.
+  double largest = 0.0;
+  for (const Stretch& stretch : this->Stretches)
+  {
+    Node* nodes = this->Nodes.data() + stretch.FirstNode;
+    double densityBefore = 0.0;
+    for (int k = 0; k <= stretch.NumberOfSteps; ++k)
+    {
+      const double densityAfter = k < stretch.NumberOfSteps ? this->Depth.MeanDensity(nodes[k].T, nodes[k + 1].T) : 0.0;
+      const double density = std::max(densityBefore, densityAfter);
+      if (density > 0.0) // the others have no weight
+      {
+        this->Evaluate(nodes[k]);
+        largest = std::max(largest, density * nodes[k].Intensity);
+      }
+      densityBefore = densityAfter;
+    }
+  }
+  this->Threshold = this->Scene.Options.IntensityThreshold * largest;
+}
+
 bool RayMarcher::NeedsOcclusionRays(double t) const
 {
   switch (this->Scene.Options.Mode)
@@ -124,7 +140,7 @@ bool RayMarcher::NeedsOcclusionRays(double t) const
       return true;
     case ScatteringMode::Fast:
       return false;
-    case ScatteringMode::Medium:
+    default:
       break;
   }
   const auto after = std::upper_bound(this->Intervals.begin(), this->Intervals.end(), t,
@@ -137,7 +153,7 @@ void RayMarcher::Evaluate(Node& node)
   const MarchScene& scene = this->Scene;
   const Vector3 point = this->Ray.Origin + node.T * this->Ray.Direction;
   const bool testOcclusion = this->NeedsOcclusionRays(node.T);
-  const double cameraLeg = node.T - this->TBegin;
+  const double cameraLeg = this->Depth.Along(node.T);
   const double epsilon = scene.Occluders.Epsilon();
   const int groups = this->NumberOfGroups;
   const double* sigmaT = scene.Groups.SigmaT.data();
@@ -160,7 +176,7 @@ void RayMarcher::Evaluate(Node& node)
       {
         const double cosine = Dot(sample.Direction, this->Ray.Direction);
         const double source = sample.Weight * EvaluatePhaseFunction(scene.Fog.Phase, cosine);
-        const double lightLeg = std::min(sample.Distance, ExitDistance(scene.Fog.Bounds, point, sample.Direction));
+        const double lightLeg = this->Depth.Towards(point, sample.Direction, sample.Distance);
         for (int g = 0; g < groups; ++g)
         {
           const double value = source * TransmittanceOver(sigmaT[g], cameraLeg + lightLeg);
@@ -183,7 +199,9 @@ void RayMarcher::Evaluate(Node& node)
 
 void RayMarcher::Refine(const Node& a, const Node& b, int depth)
 {
-  if (depth < this->Scene.Options.MaximumDepth && std::fabs(a.Intensity - b.Intensity) > this->Threshold)
+  // The density enters by its integral: a layer thinner than a step counts in full.
+  const double density = this->Depth.MeanDensity(a.T, b.T);
+  if (depth < this->Scene.Options.MaximumDepth && density * std::fabs(a.Intensity - b.Intensity) > this->Threshold)
   {
     Node middle;
     middle.T = 0.5 * (a.T + b.T);
@@ -195,7 +213,7 @@ void RayMarcher::Refine(const Node& a, const Node& b, int depth)
     return;
   }
   // A leaf: leaves come from left to right, so the weight of a is complete now.
-  const double half = 0.5 * (b.T - a.T);
+  const double half = 0.5 * (b.T - a.T) * density;
   this->Add(a, this->PendingWeight + half);
   this->PendingWeight = half;
 }

@@ -9,6 +9,7 @@
 #include "scExtinction.h"
 #include "scLightSampler.h"
 #include "scLightStrata.h"
+#include "scMediumDepth.h"
 #include "scScatteringImage.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ public:
   /// Integrate over [tBegin, tEnd], the part of the ray inside the medium; @p pixel counts over the whole image.
   void March(const Camera::Ray& ray, double tBegin, double tEnd, std::uint64_t pixel);
 
-  /// Integral of W p(cos) T V dt for each extinction group, to be multiplied by sigma_s L.
+  /// Integral of W p(cos) T V density dt for each extinction group, to be multiplied by sigma_s L.
   const std::vector<double>& Integrals() const { return this->Sums; }
   /// Squared standard error of the mean over wavelengths of the in-scattered radiance.
   double Variance() const { return this->SumOfVariances; }
@@ -54,7 +55,7 @@ private:
   {
     double T = 0.0;
     std::uint64_t Key = 0;
-    double Intensity = 0.0; ///< mean over wavelengths of the integrand
+    double Intensity = 0.0; ///< mean over wavelengths of the integrand, but for the density
     double Variance = 0.0;  ///< of Intensity
     std::size_t Slot = 0;   ///< index into Values, in groups
   };
@@ -68,6 +69,7 @@ private:
 
   void FindStretches(double tBegin, double tEnd);
   void Evaluate(Node& node);
+  void EvaluateBaseNodes();
   bool NeedsOcclusionRays(double t) const;
   void Refine(const Node& a, const Node& b, int depth);
   void Add(const Node& node, double weight);
@@ -75,9 +77,9 @@ private:
   const MarchScene& Scene;
   const int NumberOfGroups;
   LightSampler Sampler;
+  MediumDepth Depth;
   std::vector<double> Intensities; ///< of the light samples of one node
   Camera::Ray Ray;
-  double TBegin = 0.0;
   std::uint64_t PixelSeed = 0;
   double Threshold = 0.0;     ///< absolute, of this ray
   double PendingWeight = 0.0; ///< of the node at the left end of the next leaf interval
@@ -91,23 +93,6 @@ private:
   int Samples = 0;
   vtkIdType OcclusionRays = 0;
 };
-
-/// Length inside the box of the ray from a point in it.
-inline double ExitDistance(const Box& box, const Vector3& point, const Vector3& direction)
-{
-  const auto along = [](double d, double low, double high, double x)
-  { return d > 0.0 ? (high - x) / d : (d < 0.0 ? (low - x) / d : HUGE_VAL); };
-  const double exitX = along(direction.X, box.Min.X, box.Max.X, point.X);
-  const double exitY = along(direction.Y, box.Min.Y, box.Max.Y, point.Y);
-  const double exitZ = along(direction.Z, box.Min.Z, box.Max.Z, point.Z);
-  return std::max(0.0, std::min(exitX, std::min(exitY, exitZ)));
-}
-
-/// Transmittance over a length; exact where nothing is taken away, also over an infinite length.
-inline double TransmittanceOver(double sigmaT, double length)
-{
-  return sigmaT > 0.0 && length > 0.0 ? std::exp(-sigmaT * length) : 1.0;
-}
 
 } // namespace shadowcones
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scScatteringImage.h
- * @brief Light shafts along camera rays: the ray marcher of Hougs and Day, section 4.3, in its three settings.
+ * @brief Light shafts along camera rays, by the ray marcher of Hougs and Day (section 4.3) and by faster estimators.
  */
 #ifndef scScatteringImage_h
 #define scScatteringImage_h
@@ -25,7 +25,10 @@ enum class ScatteringMode : int
 {
   BruteForce = 0, ///< occlusion rays from every march sample
   Medium = 1,     ///< occlusion rays only inside cone intervals; where cones bound the shadow, the bytes of BruteForce
-  Fast = 2        ///< no occlusion ray at all: lit outside cone intervals, nothing inside
+  Fast = 2,       ///< no occlusion ray at all: lit outside cone intervals, nothing inside
+  Guided = 3,     ///< lit minus blocked, the blocked part sampled inside cone intervals until RelativeErrorGoal is met
+  Soft = 4,       ///< Volume with a grid that was filled from the cones alone: surfaces ask no ray either
+  Volume = 5      ///< lit minus blocked, the blocked part read from a grid
 };
 
 struct ScatteringOptions
@@ -34,11 +37,18 @@ struct ScatteringOptions
   int Width = 256;
   int Height = 256;
   std::array<int, 4> Extent{ 0, 255, 0, 255 }; ///< pixels to compute: i from, to, j from, to (inclusive)
-  int NumberOfSteps = 32;         ///< march intervals along the part of a ray inside the medium, at least 1
+  int NumberOfSteps = 32;         ///< BruteForce, Medium, Fast: march intervals over a ray's part in the medium, >= 1
   int MaximumDepth = 3;           ///< times an interval may be halved, 0..16
-  double IntensityThreshold = 0.1; ///< halve where the ends differ by more than this share of the ray's largest intensity
+  double IntensityThreshold = 0.1; ///< halve where the ends differ by more than this share of the ray's largest value
   int NumberOfLightSamples = 16;  ///< fresh stratified light points per march sample, at least 1
-  int NumberOfSurfaceLightSamples = 16; ///< per surface point; 0: surfaces are black
+  /// Per surface point, shared by the rays of a pixel at an edge; 0: surfaces are black. Guided, Soft and Volume
+  /// integrate light that nothing can hide by a fixed rule instead, which has no noise.
+  int NumberOfSurfaceLightSamples = 16;
+  /// Guided: a pixel takes as many samples as make its "RelativeError" about this, at most 1.5 times; one that is darker
+  /// than a tenth of the image's mean without shadows, as many as that tenth would. 0: MaximumSamples for every pixel.
+  double RelativeErrorGoal = 0.01;
+  int MaximumSamples = 1024;      ///< Guided: light samples of a pixel, at most; at least 1
+  int NumberOfEdgeSamples = 4;    ///< camera rays for surfaces and seen light in a pixel at an edge; 1: no smoothing
   bool LightVisible = true;       ///< the camera sees the light itself
   LightSampling Sampling = LightSampling::Auto;
   double Reflectance = 0.5;       ///< of diffuse surfaces where SurfaceReflectance is empty, 0..1
@@ -47,7 +57,10 @@ struct ScatteringOptions
   std::uint64_t Seed = 1;
 };
 
-/// Pixels of the extent, i fastest; NumberOfWavelengths values each where named "per wavelength".
+/**
+ * Pixels of the extent, i fastest; NumberOfWavelengths values each where named "per wavelength". At edges
+ * SurfaceRadiance and the seen light are means over the pixel; all else is of the ray through its centre.
+ */
 struct ScatteringImage
 {
   int NumberOfWavelengths = 0;
@@ -56,18 +69,43 @@ struct ScatteringImage
   std::vector<float> SurfaceRadiance; ///< per wavelength: as seen through the medium
   std::vector<float> Transmittance;   ///< per wavelength: to the first surface, or through the medium
   std::vector<float> Depth;           ///< to the first surface; -1 where there is none
-  std::vector<float> RelativeError;   ///< one standard error of InScattering over its value (mean over wavelengths)
+  std::vector<float> RelativeError;   ///< one standard error of InScattering over its value (mean over wavelengths); -1: not known
   std::vector<int> SampleCount;       ///< light samples taken for the medium term
   vtkIdType NumberOfOcclusionRays = 0; ///< rays towards the light, medium and surfaces together
 };
 
+struct VisibilityGrid;
+
+/// What is rendered; nothing is owned. The light spectrum, SigmaS and SigmaA have one length.
+struct ScatteringScene
+{
+  const OccluderScene& Occluders;
+  const Light& Source;
+  const Medium& Fog;
+  const Camera& Eye;
+  /// Medium, Fast and Guided; Volume: for its surfaces. Bounds must hold the medium's. To Guided and Volume nullptr
+  /// means that shadow may be anywhere.
+  const ConeHierarchy* Cones = nullptr;
+  const VisibilityGrid* Visibility = nullptr; ///< Soft, Volume
+};
+
 /**
- * Render. @p cones is used by Medium and Fast and may be nullptr for BruteForce; its bounds must hold the medium's.
- * The light spectrum, SigmaS and SigmaA have one length. @return false where aborted.
+ * Render the extent. Guided without cones samples the whole of every ray. @return false where aborted.
  */
-SHADOWCONESCORE_EXPORT bool RenderScattering(const OccluderScene& scene, const Light& light, const Medium& medium,
-  const Camera& camera, const ConeHierarchy* cones, const ScatteringOptions& options, const Monitor& monitor,
-  ScatteringImage& image);
+SHADOWCONESCORE_EXPORT bool RenderScattering(
+  const ScatteringScene& scene, const ScatteringOptions& options, const Monitor& monitor, ScatteringImage& image);
+
+/// The number of pixel (i, j) in the whole image: what its random numbers depend on.
+inline std::uint64_t PixelIndex(const ScatteringOptions& options, int i, int j)
+{
+  return static_cast<std::uint64_t>(j) * static_cast<std::uint64_t>(options.Width) + static_cast<std::uint64_t>(i);
+}
+/// Its place in the arrays of an image of the extent.
+inline std::size_t IndexInExtent(const ScatteringOptions& options, int i, int j)
+{
+  const auto columns = static_cast<std::size_t>(options.Extent[1] - options.Extent[0] + 1);
+  return static_cast<std::size_t>(j - options.Extent[2]) * columns + static_cast<std::size_t>(i - options.Extent[0]);
+}
 
 } // namespace shadowcones
 

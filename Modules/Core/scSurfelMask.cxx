@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scSurfelMask.h"
 
-// Wider vectors where the processor has them. Products are not contracted, so that the bits are the same everywhere.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) &&                       \
-  !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
-#define SHADOWCONES_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define SHADOWCONES_WIDE
-#endif
+#include "scWideLoops.h"
 
 namespace shadowcones
 {

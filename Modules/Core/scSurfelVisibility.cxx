@@ -14,13 +14,8 @@ constexpr double widestHalfAngle = 1.5;
 /// Points within this share of the radius from a disc's plane lie on it; on curved surfaces within three rms distances.
 constexpr double flatTolerance = 1e-3;
 constexpr double curvedTolerance = 3.0;
+} // anonymous namespace
 
-/**
- * A cone that holds the whole shadow of a disc under the light. The disc may be tilted: the base of the cone goes
- * through the point of the disc that is nearest to the light, and nothing of the disc is farther from the axis than its
- * radius.
- * @return false where the light is too near for a cone.
- */
 bool PenumbraOf(const Cone& disc, const Light& light, const LightExtent& extent, Cone& penumbra)
 {
   penumbra = disc;
@@ -31,7 +26,6 @@ bool PenumbraOf(const Cone& disc, const Light& light, const LightExtent& extent,
   PenumbraAngles(extent, penumbra.Center, penumbra.Axis, disc.BaseRadius, penumbra.HalfAngle, penumbra.InnerHalfAngle);
   return penumbra.HalfAngle > 0.0 && penumbra.HalfAngle < widestHalfAngle && Length(penumbra.Axis) > 0.5;
 }
-} // anonymous namespace
 
 SurfelVisibility::SurfelVisibility(
   const std::vector<Cone>& cones, const LightPatterns& light, const Box& bounds, bool onSurfaces)

@@ -52,6 +52,14 @@ struct OccluderMasks
   }
 };
 
+/**
+ * A cone that holds the whole shadow of a disc under the light. The disc may be tilted: the base of the cone goes
+ * through the point of the disc that is nearest to the light, and nothing of the disc is farther from the axis than its
+ * radius.
+ * @return false where the light is too near for a cone.
+ */
+bool PenumbraOf(const Cone& disc, const Light& light, const LightExtent& extent, Cone& penumbra);
+
 /// Built once, queried often, from any number of threads.
 class SurfelVisibility
 {

@@ -130,8 +130,11 @@ struct Box
       }
       const double a = (this->Min[axis] - o) / d;
       const double b = (this->Max[axis] - o) / d;
-      tMin = std::fmax(tMin, std::fmin(a, b));
-      tMax = std::fmin(tMax, std::fmax(a, b));
+      // Plain comparisons: faster than fmin and fmax, and NaN leaves the limits alone as there.
+      const double near = a < b ? a : b;
+      const double far = a < b ? b : a;
+      tMin = near > tMin ? near : tMin;
+      tMax = far < tMax ? far : tMax;
     }
     return tMin < tMax;
   }

@@ -41,18 +41,6 @@ Box Grown(Box box)
   box.Max = box.Max + Vector3{ margin, margin, margin };
   return box;
 }
-
-/// Cones that begin one base radius nearer to the light: points on a surface may lie just before the base fitted to it.
-std::vector<Cone> Lengthened(std::vector<Cone> cones)
-{
-  for (Cone& cone : cones)
-  {
-    const double before = cone.BaseRadius;
-    cone.Center = cone.Center - before * cone.Axis;
-    cone.BaseRadius += std::max(0.0, -before * std::tan(cone.HalfAngle));
-  }
-  return cones;
-}
 } // anonymous namespace
 
 struct VisibilityProbe::Implementation

@@ -470,6 +470,41 @@ bool ReadConeSet(vtkPolyData* input, std::vector<Cone>& cones, std::string& erro
   return true;
 }
 
+void DropReceivers(TriangleMesh& mesh)
+{
+  if (mesh.OccluderIds.empty())
+  {
+    return;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < mesh.OccluderIds.size(); ++i)
+  {
+    if (mesh.OccluderIds[i] >= 0)
+    {
+      std::copy_n(mesh.Triangles.begin() + 3 * i, 3, mesh.Triangles.begin() + 3 * kept);
+      mesh.SourceCells[kept] = mesh.SourceCells[i];
+      mesh.OccluderIds[kept++] = mesh.OccluderIds[i];
+    }
+  }
+  mesh.OccluderIds.resize(kept);
+  mesh.SourceCells.resize(kept);
+  mesh.Triangles.resize(3 * kept);
+}
+
+void UndoCosineCorrection(vtkFieldData* parameters, std::vector<Cone>& cones)
+{
+  constexpr double smallestCosine = 0.05;
+  vtkDataArray* correction = parameters->GetArray("CosineCorrection");
+  if (!correction || correction->GetNumberOfTuples() < 1 || correction->GetComponent(0, 0) == 0.0)
+  {
+    return;
+  }
+  for (Cone& cone : cones)
+  {
+    cone.BaseRadius /= std::max(std::abs(Dot(cone.Axis, cone.Normal)), smallestCosine);
+  }
+}
+
 void WriteConeSet(const std::vector<Cone>& cones, vtkPolyData* output)
 {
   std::vector<double> centers;

@@ -55,6 +55,14 @@ SHADOWCONESFILTERS_EXPORT bool ReadConeSet(vtkPolyData* input, std::vector<Cone>
 /// Write cones as vertices with the documented arrays of a cone set.
 SHADOWCONESFILTERS_EXPORT void WriteConeSet(const std::vector<Cone>& cones, vtkPolyData* output);
 
+/// Leave out the triangles of receivers, whose "OccluderId" is negative: they cast no shadow.
+SHADOWCONESFILTERS_EXPORT void DropReceivers(TriangleMesh& mesh);
+/**
+ * Discs as wide as the vectors they were fitted to: figure 5's cosine is taken back where a cone set's field data,
+ * @p parameters, tells of it.
+ */
+SHADOWCONESFILTERS_EXPORT void UndoCosineCorrection(vtkFieldData* parameters, std::vector<Cone>& cones);
+
 /// Shadow vectors as read from a data set; holds what ShadowVectorView points to.
 struct SHADOWCONESFILTERS_EXPORT ShadowVectorArrays
 {

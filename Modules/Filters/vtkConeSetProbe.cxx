@@ -88,41 +88,6 @@ bool ReadPlaces(vtkDataSet* data, bool atCells, bool useNormals, Places& places,
   return true;
 }
 
-/// Receivers cast no shadow.
-void DropReceivers(TriangleMesh& mesh)
-{
-  if (mesh.OccluderIds.empty())
-  {
-    return;
-  }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < mesh.OccluderIds.size(); ++i)
-  {
-    if (mesh.OccluderIds[i] >= 0)
-    {
-      std::copy_n(mesh.Triangles.begin() + 3 * i, 3, mesh.Triangles.begin() + 3 * kept);
-      mesh.OccluderIds[kept++] = mesh.OccluderIds[i];
-    }
-  }
-  mesh.OccluderIds.resize(kept);
-  mesh.Triangles.resize(3 * kept);
-}
-
-/// Discs as wide as the vectors they were fitted to: figure 5's cosine is taken back.
-void UndoCosineCorrection(vtkFieldData* parameters, std::vector<Cone>& cones)
-{
-  constexpr double smallestCosine = 0.05;
-  vtkDataArray* correction = parameters->GetArray("CosineCorrection");
-  if (!correction || correction->GetNumberOfTuples() < 1 || correction->GetComponent(0, 0) == 0.0)
-  {
-    return;
-  }
-  for (Cone& cone : cones)
-  {
-    cone.BaseRadius /= std::max(std::abs(Dot(cone.Axis, cone.Normal)), smallestCosine);
-  }
-}
-
 void AddResult(const VisibilityResult& result, vtkDataSetAttributes* data)
 {
   AddFloatArray(data, "Visibility", 1, result.Visibility);

@@ -2,35 +2,32 @@
 #include "vtkScatteringImageFilter.h"
 
 #include "scAdapters.h"
-#include "scLightData.h"
-#include "scScatteringImage.h"
-#include "scSpectrum.h"
+#include "scImageInputs.h"
+#include "scImageOutput.h"
+#include "scImageScene.h"
+#include "scPieces.h"
+#include "scVisibilityGrid.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <exception>
-#include <limits>
+#include <iterator>
 #include <memory>
+#include <sstream>
 #include <string>
 
 vtkStandardNewMacro(vtkScatteringImageFilter);
@@ -38,117 +35,39 @@ vtkStandardNewMacro(vtkScatteringImageFilter);
 namespace
 {
 
+constexpr int meshPort = 0;
 constexpr int lightPort = 1;
 constexpr int coneSetPort = 2;
+constexpr int visibilityVolumePort = 3;
+constexpr int densityPort = 4;
+constexpr int mostLightSamples = 65536;
+constexpr int mostEdgeSamples = 1024;
 
-shadowcones::Vector3 ToVector(const double v[3])
+/// A value of a parameter, whether it is valid, and which are.
+struct Ranged
 {
-  return { v[0], v[1], v[2] };
-}
+  const char* Name;
+  double Value;
+  bool Valid;
+  const char* Range;
+};
 
-/// Values of a coefficient at every wavelength: the spectrum's where it has one, else @p all.
-std::vector<double> FillSpectrum(const std::vector<double>& spectrum, double all, std::size_t count)
+bool IsBetween(double value, double low, double high)
 {
-  std::vector<double> values(count, all);
-  for (std::size_t k = 0; k < std::min(count, spectrum.size()); ++k)
-  {
-    values[k] = std::isnan(spectrum[k]) ? all : spectrum[k];
-  }
-  return values;
-}
-
-void SetSample(std::vector<double>& spectrum, int index, double value)
-{
-  const auto k = static_cast<std::size_t>(index);
-  if (k >= spectrum.size())
-  {
-    spectrum.resize(k + 1, std::numeric_limits<double>::quiet_NaN());
-  }
-  spectrum[k] = value;
-}
-
-double GetSample(const std::vector<double>& spectrum, int index, double all)
-{
-  const auto k = static_cast<std::size_t>(index);
-  return index < 0 || k >= spectrum.size() || std::isnan(spectrum[k]) ? all : spectrum[k];
-}
-
-void AddInt(vtkFieldData* data, const char* name, int value)
-{
-  shadowcones::AddIntArray(data, name, 1, { value });
-}
-
-void AddDouble(vtkFieldData* data, const char* name, double value)
-{
-  shadowcones::AddDoubleArray(data, name, 1, { value });
-}
-
-/// The light's wavelengths in nm where it says so, else the default ones for its number of samples.
-std::vector<double> ReadWavelengths(vtkPolyData* light, std::size_t count)
-{
-  vtkDataArray* array = light->GetFieldData()->GetArray("LightWavelengths");
-  std::vector<double> wavelengths = shadowcones::DefaultWavelengths(static_cast<int>(count));
-  if (array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == static_cast<vtkIdType>(count))
-  {
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      wavelengths[k] = array->GetComponent(static_cast<vtkIdType>(k), 0);
-    }
-  }
-  return wavelengths;
-}
-
-/// Linear radiance of every pixel to sRGB bytes.
-vtkSmartPointer<vtkUnsignedCharArray> ToneMap(
-  const std::vector<float>& radiance, const std::vector<double>& wavelengthsInNm, double exposure)
-{
-  const auto matrix = shadowcones::SpectrumToLinearSrgb(wavelengthsInNm);
-  const auto wavelengths = static_cast<int>(wavelengthsInNm.size());
-  const auto pixels = static_cast<vtkIdType>(radiance.size() / static_cast<std::size_t>(wavelengths));
-  auto rgb = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  rgb->SetName("RGB");
-  rgb->SetNumberOfComponents(3);
-  rgb->SetNumberOfTuples(pixels);
-  unsigned char* bytes = rgb->GetPointer(0);
-  vtkSMPTools::For(0, pixels,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const float* spectrum = radiance.data() + i * wavelengths;
-        for (int c = 0; c < 3; ++c)
-        {
-          double linear = 0.0;
-          for (int k = 0; k < wavelengths; ++k)
-          {
-            linear += matrix[c][k] * spectrum[k];
-          }
-          bytes[3 * i + c] = shadowcones::EncodeSrgb(exposure * linear);
-        }
-      }
-    });
-  return rgb;
+  return value > low && value < high;
 }
 
 } // namespace
 
-struct vtkScatteringImageFilter::Scene
+struct vtkScatteringImageFilter::Scene : shadowcones::ImageScene
 {
-  shadowcones::TriangleMesh Mesh;
-  shadowcones::Box MeshBounds;
-  shadowcones::Light Light;
-  std::vector<double> Wavelengths; ///< nm
-  std::vector<shadowcones::Cone> Cones;
-  shadowcones::Medium Medium;
-  shadowcones::Camera Camera;
   vtkNew<vtkCamera> UsedCamera; ///< as written to the field data
-  shadowcones::ScatteringOptions Options;
   shadowcones::ScatteringImage Image;
 };
 
 vtkScatteringImageFilter::vtkScatteringImageFilter()
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(5);
 }
 
 vtkScatteringImageFilter::~vtkScatteringImageFilter()
@@ -178,6 +97,26 @@ void vtkScatteringImageFilter::SetConeSetData(vtkDataObject* cones)
   this->SetInputData(coneSetPort, cones);
 }
 
+void vtkScatteringImageFilter::SetVisibilityVolumeConnection(vtkAlgorithmOutput* volume)
+{
+  this->SetInputConnection(visibilityVolumePort, volume);
+}
+
+void vtkScatteringImageFilter::SetVisibilityVolumeData(vtkDataObject* volume)
+{
+  this->SetInputData(visibilityVolumePort, volume);
+}
+
+void vtkScatteringImageFilter::SetDensityConnection(vtkAlgorithmOutput* density)
+{
+  this->SetInputConnection(densityPort, density);
+}
+
+void vtkScatteringImageFilter::SetDensityData(vtkDataObject* density)
+{
+  this->SetInputData(densityPort, density);
+}
+
 void vtkScatteringImageFilter::SetSigmaS(double sigmaS)
 {
   if (this->SigmaS != sigmaS || !this->SigmaSSpectrum.empty())
@@ -195,13 +134,13 @@ void vtkScatteringImageFilter::SetSigmaSSpectrum(int index, double sigmaS)
     vtkErrorMacro("SetSigmaSSpectrum: the index is " << index << "; wavelength samples count from 0.");
     return;
   }
-  SetSample(this->SigmaSSpectrum, index, sigmaS);
+  shadowcones::SetSample(this->SigmaSSpectrum, index, sigmaS);
   this->Modified();
 }
 
 double vtkScatteringImageFilter::GetSigmaSSpectrum(int index) const
 {
-  return GetSample(this->SigmaSSpectrum, index, this->SigmaS);
+  return shadowcones::GetSample(this->SigmaSSpectrum, index, this->SigmaS);
 }
 
 void vtkScatteringImageFilter::SetSigmaA(double sigmaA)
@@ -221,13 +160,13 @@ void vtkScatteringImageFilter::SetSigmaASpectrum(int index, double sigmaA)
     vtkErrorMacro("SetSigmaASpectrum: the index is " << index << "; wavelength samples count from 0.");
     return;
   }
-  SetSample(this->SigmaASpectrum, index, sigmaA);
+  shadowcones::SetSample(this->SigmaASpectrum, index, sigmaA);
   this->Modified();
 }
 
 double vtkScatteringImageFilter::GetSigmaASpectrum(int index) const
 {
-  return GetSample(this->SigmaASpectrum, index, this->SigmaA);
+  return shadowcones::GetSample(this->SigmaASpectrum, index, this->SigmaA);
 }
 
 void vtkScatteringImageFilter::SetPhasePresetToRayleigh()
@@ -259,12 +198,10 @@ vtkMTimeType vtkScatteringImageFilter::GetMTime()
 
 int vtkScatteringImageFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port != 0)
-  {
-    // The light too: RequestData has a better message for its absence than the executive.
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
+  const bool isImage = port == visibilityVolumePort || port == densityPort;
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), isImage ? "vtkImageData" : "vtkPolyData");
+  // Which are needed depends on the mode: RequestData says what to connect.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
@@ -293,279 +230,155 @@ int vtkScatteringImageFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // Any part of the image needs all of the scene.
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  shadowcones::RequestWholeInputs(this, inputVector);
+  for (const int port : { visibilityVolumePort, densityPort })
   {
     for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkInformation* info = inputVector[port]->GetInformationObject(i);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+      {
+        info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+          info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+      }
     }
   }
   return 1;
 }
 
-bool vtkScatteringImageFilter::CheckParameters()
+bool vtkScatteringImageFilter::CheckParameters(std::string& error) const
 {
-  const auto between = [](double value, double low, double high) { return value > low && value < high; };
-  if (this->Mode < BruteForce || this->Mode > Fast)
+  const double* lobes = this->PhaseLobes;
+  const int* n = this->SoftDimensions;
+  const Ranged parameters[] = {
+    { "Mode", this->Mode * 1.0, this->Mode >= BruteForce && this->Mode <= Volume,
+      "BruteForce (0), Medium (1), Fast (2), Guided (3), Soft (4) or Volume (5)" },
+    { "PhaseFunction", this->PhaseFunction * 1.0, this->PhaseFunction >= Isotropic && this->PhaseFunction <= Rayleigh,
+      "Isotropic (0), BlasiSchlick (1), HenyeyGreenstein (2) or Rayleigh (3)" },
+    { "PhaseAsymmetry", this->PhaseAsymmetry, IsBetween(this->PhaseAsymmetry, -1.0, 1.0), "between -1 and 1" },
+    { "RelativeErrorGoal", this->RelativeErrorGoal, this->RelativeErrorGoal >= 0.0, "0 or above" },
+    { "MaximumSamples", this->MaximumSamples * 1.0, this->MaximumSamples >= 1, "at least 1" },
+    { "NumberOfSoftLightSamples", this->NumberOfSoftLightSamples * 1.0,
+      this->NumberOfSoftLightSamples >= 1 && this->NumberOfSoftLightSamples <= mostLightSamples, "in 1..65536" },
+    { "NumberOfSteps", this->NumberOfSteps * 1.0, this->NumberOfSteps >= 1 && this->NumberOfSteps <= 1000000,
+      "in 1..1000000" },
+    { "MaximumDepth", this->MaximumDepth * 1.0, this->MaximumDepth >= 0 && this->MaximumDepth <= 16, "in 0..16" },
+    { "IntensityThreshold", this->IntensityThreshold, this->IntensityThreshold >= 0.0, "0 or above" },
+    { "NumberOfLightSamples", this->NumberOfLightSamples * 1.0, this->NumberOfLightSamples >= 1, "at least 1" },
+    { "NumberOfSurfaceLightSamples", this->NumberOfSurfaceLightSamples * 1.0, this->NumberOfSurfaceLightSamples >= 0,
+      "0 or above" },
+    { "NumberOfEdgeSamples", this->NumberOfEdgeSamples * 1.0,
+      this->NumberOfEdgeSamples >= 1 && this->NumberOfEdgeSamples <= mostEdgeSamples, "in 1..1024" },
+    { "Reflectance", this->Reflectance, this->Reflectance >= 0.0 && this->Reflectance <= 1.0, "in 0..1" },
+    { "ConeLength", this->ConeLength, this->ConeLength >= 0.0, "0 (not cut) or above" },
+    { "Exposure", this->Exposure, IsBetween(this->Exposure, 0.0, HUGE_VAL), "above 0 and finite" },
+  };
+  std::ostringstream text;
+  text.precision(10);
+  const auto* fault =
+    std::find_if(std::begin(parameters), std::end(parameters), [](const Ranged& one) { return !one.Valid; });
+  if (fault != std::end(parameters))
   {
-    vtkErrorMacro("Mode is " << this->Mode << ": it must be BruteForce (0), Medium (1) or Fast (2).");
+    text << fault->Name << " is " << fault->Value << ": it must be " << fault->Range << ".";
   }
-  else if (this->PhaseFunction < Isotropic || this->PhaseFunction > Rayleigh)
+  else if (!(lobes[0] >= 0.0 && lobes[0] <= 1.0) || !IsBetween(lobes[1], -1.0, 1.0) || !IsBetween(lobes[2], -1.0, 1.0))
   {
-    vtkErrorMacro(
-      "PhaseFunction is " << this->PhaseFunction
-                          << ": it must be Isotropic (0), BlasiSchlick (1), HenyeyGreenstein (2) or Rayleigh (3).");
+    text << "PhaseLobes are " << lobes[0] << ", " << lobes[1] << ", " << lobes[2]
+         << ": the weight must be in 0..1, k1 and k2 between -1 and 1.";
   }
-  else if (!(this->PhaseLobes[0] >= 0.0 && this->PhaseLobes[0] <= 1.0) || !between(this->PhaseLobes[1], -1.0, 1.0) ||
-    !between(this->PhaseLobes[2], -1.0, 1.0))
+  else if (std::min({ n[0], n[1], n[2] }) < 2 || static_cast<double>(n[0]) * n[1] * n[2] > VTK_INT_MAX)
   {
-    vtkErrorMacro("PhaseLobes are " << this->PhaseLobes[0] << ", " << this->PhaseLobes[1] << ", " << this->PhaseLobes[2]
-                                    << ": the weight must be in 0..1, k1 and k2 between -1 and 1.");
+    text << "SoftDimensions are " << n[0] << ", " << n[1] << ", " << n[2]
+         << ": each must be at least 2, and all together at most 2^31 - 1 points.";
   }
-  else if (!between(this->PhaseAsymmetry, -1.0, 1.0))
-  {
-    vtkErrorMacro("PhaseAsymmetry is " << this->PhaseAsymmetry << ": it must be between -1 and 1.");
-  }
-  else if (this->NumberOfSteps < 1 || this->NumberOfSteps > 1000000)
-  {
-    vtkErrorMacro("NumberOfSteps is " << this->NumberOfSteps << ": it must be in 1..1000000.");
-  }
-  else if (this->MaximumDepth < 0 || this->MaximumDepth > 16)
-  {
-    vtkErrorMacro("MaximumDepth is " << this->MaximumDepth << ": it must be in 0..16.");
-  }
-  else if (!(this->IntensityThreshold >= 0.0))
-  {
-    vtkErrorMacro("IntensityThreshold is " << this->IntensityThreshold << ": it must be 0 or above.");
-  }
-  else if (this->NumberOfLightSamples < 1)
-  {
-    vtkErrorMacro("NumberOfLightSamples is " << this->NumberOfLightSamples << ": it must be at least 1.");
-  }
-  else if (this->NumberOfSurfaceLightSamples < 0)
-  {
-    vtkErrorMacro("NumberOfSurfaceLightSamples is " << this->NumberOfSurfaceLightSamples << ": it must be 0 or above.");
-  }
-  else if (!(this->Reflectance >= 0.0 && this->Reflectance <= 1.0))
-  {
-    vtkErrorMacro("Reflectance is " << this->Reflectance << ": it must be in 0..1.");
-  }
-  else if (!(this->ConeLength >= 0.0))
-  {
-    vtkErrorMacro("ConeLength is " << this->ConeLength << ": it must be 0 (not cut) or above.");
-  }
-  else if (!(this->Exposure > 0.0) || std::isinf(this->Exposure))
-  {
-    vtkErrorMacro("Exposure is " << this->Exposure << ": it must be above 0 and finite.");
-  }
-  else
-  {
-    return true;
-  }
-  return false;
+  error = text.str();
+  return error.empty();
 }
 
-bool vtkScatteringImageFilter::ReadInputs(vtkInformationVector** inputs, Scene& scene)
+bool vtkScatteringImageFilter::ReadScene(vtkInformationVector** inputs, Scene& scene, std::string& error) const
 {
-  std::string error;
-  if (!shadowcones::ReadTriangles(vtkPolyData::GetData(inputs[0]), scene.Mesh, error))
+  const shadowcones::ImageInputs data{ vtkPolyData::GetData(inputs[meshPort]), vtkPolyData::GetData(inputs[lightPort]),
+    vtkPolyData::GetData(inputs[coneSetPort]), vtkImageData::GetData(inputs[visibilityVolumePort]),
+    vtkImageData::GetData(inputs[densityPort]) };
+  if (!shadowcones::CheckInputs(data, scene.Options.Mode, error) || !shadowcones::ReadInputs(data, scene, error))
   {
-    vtkErrorMacro("Mesh (input port 0): " << error);
     return false;
   }
-  scene.MeshBounds = shadowcones::MeshBounds(scene.Mesh.View());
-
-  vtkPolyData* light = vtkPolyData::GetData(inputs[lightPort]);
-  if (!light)
-  {
-    vtkErrorMacro("There is no light: connect a vtkAreaLightSource or another poly data with SetLightConnection().");
-    return false;
-  }
-  if (!shadowcones::ReadLight(light, scene.Light, error))
-  {
-    vtkErrorMacro("Light (input port 1): " << error);
-    return false;
-  }
-  scene.Wavelengths = ReadWavelengths(light, scene.Light.Spectrum.size());
-
-  if (this->Mode != BruteForce)
-  {
-    vtkPolyData* cones = vtkPolyData::GetData(inputs[coneSetPort]);
-    if (!cones)
-    {
-      vtkErrorMacro("Mode is " << (this->Mode == Medium ? "Medium" : "Fast")
-                               << " but there is no cone set: connect a vtkConeSetFilter with "
-                                  "SetConeSetConnection(), or use SetModeToBruteForce().");
-      return false;
-    }
-    if (!shadowcones::ReadConeSet(cones, scene.Cones, error))
-    {
-      vtkErrorMacro("Cone set (input port 2): " << error);
-      return false;
-    }
-  }
-  return true;
-}
-
-bool vtkScatteringImageFilter::ReadReflectance(vtkInformationVector** inputs, Scene& scene)
-{
-  vtkDataArray* array = vtkPolyData::GetData(inputs[0])->GetCellData()->GetArray("Reflectance");
-  if (!array)
-  {
-    return true;
-  }
-  const int components = array->GetNumberOfComponents();
-  const auto wavelengths = static_cast<int>(scene.Light.Spectrum.size());
-  if (components != 1 && components != wavelengths)
-  {
-    vtkErrorMacro("Cell array \"Reflectance\" of the mesh has "
-      << components << " components: it must have 1, or " << wavelengths << " as the light has wavelength samples.");
-    return false;
-  }
-  shadowcones::ScatteringOptions& options = scene.Options;
-  options.ReflectanceComponents = components;
-  options.SurfaceReflectance.reserve(scene.Mesh.SourceCells.size() * static_cast<std::size_t>(components));
-  for (const vtkIdType cell : scene.Mesh.SourceCells)
-  {
-    for (int c = 0; c < components; ++c)
-    {
-      const double value = array->GetComponent(cell, c);
-      if (!(value >= 0.0 && value <= 1.0))
-      {
-        vtkErrorMacro(
-          "Cell array \"Reflectance\" of the mesh is " << value << " at cell " << cell << ": it must be in 0..1.");
-        return false;
-      }
-      options.SurfaceReflectance.push_back(static_cast<float>(value));
-    }
-  }
-  return true;
-}
-
-bool vtkScatteringImageFilter::ReadMedium(vtkInformationVector** inputs, Scene& scene)
-{
-  const std::size_t wavelengths = scene.Light.Spectrum.size();
-  shadowcones::Medium& medium = scene.Medium;
-  medium.SigmaS = FillSpectrum(this->SigmaSSpectrum, this->SigmaS, wavelengths);
-  medium.SigmaA = FillSpectrum(this->SigmaASpectrum, this->SigmaA, wavelengths);
-  for (const auto* values : { &medium.SigmaS, &medium.SigmaA })
-  {
-    const char* name = values == &medium.SigmaS ? "SigmaS" : "SigmaA";
-    const std::size_t given = values == &medium.SigmaS ? this->SigmaSSpectrum.size() : this->SigmaASpectrum.size();
-    if (given > wavelengths)
-    {
-      vtkErrorMacro("Set" << name << "Spectrum was given wavelength sample " << given - 1 << ", but the light has "
-                          << wavelengths << " samples.");
-      return false;
-    }
-    for (std::size_t k = 0; k < wavelengths; ++k)
-    {
-      if (!((*values)[k] >= 0.0) || std::isinf((*values)[k]))
-      {
-        vtkErrorMacro(<< name << " is " << (*values)[k] << " at wavelength sample " << k
-                      << ": it must be 0 or above and finite.");
-        return false;
-      }
-    }
-  }
+  const std::size_t wavelengths = scene.Source.Spectrum.size();
+  shadowcones::Medium& medium = scene.Fog;
   medium.Phase.Kind = static_cast<shadowcones::PhaseFunctionKind>(this->PhaseFunction);
   medium.Phase.Lobes = { this->PhaseLobes[0], this->PhaseLobes[1], this->PhaseLobes[2] };
   medium.Phase.Asymmetry = this->PhaseAsymmetry;
-
-  const double* b = this->MediumBounds;
-  if (b[0] == 1.0 && b[1] == -1.0 && b[2] == 1.0 && b[3] == -1.0 && b[4] == 1.0 && b[5] == -1.0)
+  if (!shadowcones::ReadCoefficient("SigmaS", this->SigmaSSpectrum, this->SigmaS, wavelengths, medium.SigmaS, error) ||
+    !shadowcones::ReadCoefficient("SigmaA", this->SigmaASpectrum, this->SigmaA, wavelengths, medium.SigmaA, error) ||
+    !shadowcones::FindMediumBounds(this->MediumBounds, data.Light, scene, error))
   {
-    shadowcones::Box joint = scene.MeshBounds;
-    vtkPolyData* light = vtkPolyData::GetData(inputs[lightPort]);
-    if (!shadowcones::IsAtInfinity(scene.Light) && light->GetNumberOfPoints() > 0)
-    {
-      double bounds[6];
-      light->GetBounds(bounds);
-      joint.Add(shadowcones::Vector3{ bounds[0], bounds[2], bounds[4] });
-      joint.Add(shadowcones::Vector3{ bounds[1], bounds[3], bounds[5] });
-    }
-    const double diagonal = joint.Diagonal();
-    if (!(diagonal > 0.0))
-    {
-      vtkErrorMacro("MediumBounds are not set, and mesh and light have no bounds to take them from.");
-      return false;
-    }
-    const shadowcones::Vector3 size = joint.Size();
-    const auto half = [diagonal](double side) { return side > 0.0 ? 0.55 * side : 0.05 * diagonal; };
-    const shadowcones::Vector3 reach{ half(size.X), half(size.Y), half(size.Z) };
-    medium.Bounds = { joint.Center() - reach, joint.Center() + reach };
-    return true;
+    return false;
   }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (!(b[2 * axis] <= b[2 * axis + 1]) || !std::isfinite(b[2 * axis]) || !std::isfinite(b[2 * axis + 1]))
-    {
-      vtkErrorMacro("MediumBounds along "
-        << "xyz"[axis] << " run from " << b[2 * axis] << " to " << b[2 * axis + 1]
-        << ": they must be finite and in ascending order.");
-      return false;
-    }
-  }
-  medium.Bounds = { { b[0], b[2], b[4] }, { b[1], b[3], b[5] } };
-  return true;
-}
-
-bool vtkScatteringImageFilter::ReadCamera(Scene& scene)
-{
-  vtkCamera* camera = scene.UsedCamera;
   if (this->Camera)
   {
-    camera->DeepCopy(this->Camera);
+    scene.UsedCamera->DeepCopy(this->Camera);
   }
   else
   {
-    const shadowcones::Box& box = scene.MeshBounds.Empty() ? scene.Medium.Bounds : scene.MeshBounds;
-    const double distance = 0.5 * box.Diagonal() / std::sin(vtkMath::RadiansFromDegrees(15.0));
-    const shadowcones::Vector3 center = box.Center();
-    camera->SetViewAngle(30.0);
-    camera->SetFocalPoint(center.X, center.Y, center.Z);
-    camera->SetPosition(center.X, center.Y, center.Z + (distance > 0.0 ? distance : 1.0));
-    camera->SetViewUp(0.0, 1.0, 0.0);
+    shadowcones::LookAtFront(scene.MeshBounds.Empty() ? medium.Bounds : scene.MeshBounds, scene.UsedCamera);
   }
+  return shadowcones::ReadCamera(scene.UsedCamera, this->Resolution, scene.Eye, error);
+}
 
-  const shadowcones::Vector3 position = ToVector(camera->GetPosition());
-  const shadowcones::Vector3 view = ToVector(camera->GetFocalPoint()) - position;
-  const shadowcones::Vector3 forward = shadowcones::Normalized(view);
-  const shadowcones::Vector3 right = shadowcones::Cross(forward, ToVector(camera->GetViewUp()));
-  if (!shadowcones::IsFinite(view) || !shadowcones::IsFinite(right) || !(shadowcones::Length(view) > 0.0))
+void vtkScatteringImageFilter::SetOptions(const int extent[6], Scene& scene) const
+{
+  shadowcones::ScatteringOptions& options = scene.Options;
+  options.Mode = static_cast<shadowcones::ScatteringMode>(this->Mode);
+  options.Width = this->Resolution[0];
+  options.Height = this->Resolution[1];
+  options.Extent = { extent[0], extent[1], extent[2], extent[3] };
+  options.NumberOfSteps = this->NumberOfSteps;
+  options.MaximumDepth = this->MaximumDepth;
+  options.IntensityThreshold = this->IntensityThreshold;
+  options.NumberOfLightSamples = this->NumberOfLightSamples;
+  options.NumberOfSurfaceLightSamples = this->NumberOfSurfaceLightSamples;
+  options.RelativeErrorGoal = this->RelativeErrorGoal;
+  options.MaximumSamples = this->MaximumSamples;
+  options.NumberOfEdgeSamples = this->NumberOfEdgeSamples;
+  options.LightVisible = this->LightVisible != 0;
+  options.Reflectance = this->Reflectance;
+  options.Seed = static_cast<std::uint64_t>(this->Seed);
+}
+
+/// @return false where aborted.
+bool vtkScatteringImageFilter::Render(Scene& scene)
+{
+  constexpr double shareOfSoft = 0.4; // of the progress: filling its grid
+  shadowcones::Monitor monitor = shadowcones::MonitorOf(this);
+  const shadowcones::OccluderScene occluders(scene.Mesh.View());
+  std::unique_ptr<shadowcones::ConeHierarchy> cones;
+  if (this->Mode == Soft)
   {
-    vtkErrorMacro("The camera's position and focal point must be finite and differ.");
-    return false;
-  }
-  if (!(shadowcones::Length(right) > 1e-9 * shadowcones::Length(ToVector(camera->GetViewUp()))))
-  {
-    vtkErrorMacro("The camera's view up runs along its direction of view: choose another with SetViewUp().");
-    return false;
-  }
-  shadowcones::Camera& used = scene.Camera;
-  used.Position = position;
-  used.Forward = forward;
-  used.Right = shadowcones::Normalized(right);
-  used.Up = shadowcones::Cross(used.Right, forward);
-  used.Parallel = camera->GetParallelProjection() != 0;
-  used.HalfHeight = camera->GetParallelScale();
-  if (!used.Parallel)
-  {
-    used.HalfHeight = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-    if (camera->GetUseHorizontalViewAngle())
+    shadowcones::VisibilityGridOptions options;
+    options.Method = shadowcones::VisibilityMethod::Soft;
+    std::copy_n(this->SoftDimensions, 3, options.Dimensions.begin());
+    options.NumberOfLightSamples = this->NumberOfSoftLightSamples;
+    options.Seed = scene.Options.Seed;
+    if (!shadowcones::FillVisibilityGrid(scene.Cones, scene.Source, nullptr, scene.Fog.Bounds, options,
+          monitor.Part(0.0, shareOfSoft), scene.Visibility))
     {
-      used.HalfHeight *= static_cast<double>(this->Resolution[1]) / this->Resolution[0];
+      return false;
     }
+    monitor = monitor.Part(shareOfSoft, 1.0);
   }
-  if (!(used.HalfHeight > 0.0) || std::isinf(used.HalfHeight))
+  else if (scene.HasCones)
   {
-    vtkErrorMacro("The camera's " << (used.Parallel ? "parallel scale" : "view angle") << " must be above 0.");
-    return false;
+    // Surfaces outside the medium lie in shadow too.
+    shadowcones::Box bounds = scene.Fog.Bounds;
+    bounds.Add(scene.MeshBounds);
+    const double length = this->ConeLength > 0.0 ? this->ConeLength : HUGE_VAL;
+    cones = std::make_unique<shadowcones::ConeHierarchy>(scene.Cones, bounds, length);
   }
-  return true;
+  const bool usesGrid = this->Mode == Soft || this->Mode == Volume;
+  return shadowcones::RenderScattering(
+    { occluders, scene.Source, scene.Fog, scene.Eye, cones.get(), usesGrid ? &scene.Visibility : nullptr },
+    scene.Options, monitor, scene.Image);
 }
 
 int vtkScatteringImageFilter::RequestData(
@@ -582,44 +395,18 @@ int vtkScatteringImageFilter::RequestData(
   }
 
   Scene scene;
-  if (!this->CheckParameters() || !this->ReadInputs(inputVector, scene) || !this->ReadReflectance(inputVector, scene) ||
-    !this->ReadMedium(inputVector, scene) || !this->ReadCamera(scene))
+  std::string error;
+  this->SetOptions(extent, scene);
+  if (!this->CheckParameters(error) || !this->ReadScene(inputVector, scene, error))
   {
+    vtkErrorMacro(<< error);
     return 0;
   }
-
-  shadowcones::ScatteringOptions& options = scene.Options;
-  options.Mode = static_cast<shadowcones::ScatteringMode>(this->Mode);
-  options.Width = this->Resolution[0];
-  options.Height = this->Resolution[1];
-  options.Extent = { extent[0], extent[1], extent[2], extent[3] };
-  options.NumberOfSteps = this->NumberOfSteps;
-  options.MaximumDepth = this->MaximumDepth;
-  options.IntensityThreshold = this->IntensityThreshold;
-  options.NumberOfLightSamples = this->NumberOfLightSamples;
-  options.NumberOfSurfaceLightSamples = this->NumberOfSurfaceLightSamples;
-  options.LightVisible = this->LightVisible != 0;
-  options.Reflectance = this->Reflectance;
-  options.Seed = static_cast<std::uint64_t>(this->Seed);
 
   const auto start = std::chrono::steady_clock::now();
   try
   {
-    const shadowcones::OccluderScene occluders(scene.Mesh.View());
-    std::unique_ptr<shadowcones::ConeHierarchy> cones;
-    if (this->Mode != BruteForce)
-    {
-      // Surfaces outside the medium lie in shadow too.
-      shadowcones::Box bounds = scene.Medium.Bounds;
-      if (!scene.MeshBounds.Empty())
-      {
-        bounds.Add(scene.MeshBounds);
-      }
-      const double length = this->ConeLength > 0.0 ? this->ConeLength : HUGE_VAL;
-      cones = std::make_unique<shadowcones::ConeHierarchy>(scene.Cones, bounds, length);
-    }
-    if (!shadowcones::RenderScattering(occluders, scene.Light, scene.Medium, scene.Camera, cones.get(), options,
-          shadowcones::MonitorOf(this), scene.Image))
+    if (!this->Render(scene))
     {
       return 1; // aborted: no output
     }
@@ -630,46 +417,18 @@ int vtkScatteringImageFilter::RequestData(
     return 0;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  this->WriteOutput(scene, seconds, extent, output);
-  return 1;
-}
 
-void vtkScatteringImageFilter::WriteOutput(
-  const Scene& scene, double seconds, const int extent[6], vtkImageData* output)
-{
-  const shadowcones::ScatteringImage& image = scene.Image;
-  const int wavelengths = image.NumberOfWavelengths;
-  output->SetExtent(const_cast<int*>(extent));
-  vtkPointData* points = output->GetPointData();
-  shadowcones::AddFloatArray(points, "Radiance", wavelengths, image.Radiance);
-  shadowcones::AddFloatArray(points, "InScattering", wavelengths, image.InScattering);
-  shadowcones::AddFloatArray(points, "SurfaceRadiance", wavelengths, image.SurfaceRadiance);
-  shadowcones::AddFloatArray(points, "Transmittance", wavelengths, image.Transmittance);
-  shadowcones::AddFloatArray(points, "Depth", 1, image.Depth);
-  shadowcones::AddFloatArray(points, "RelativeError", 1, image.RelativeError);
-  shadowcones::AddIntArray(points, "SampleCount", 1, image.SampleCount);
-  points->SetScalars(ToneMap(image.Radiance, scene.Wavelengths, this->Exposure));
-
+  output->SetExtent(extent);
+  shadowcones::WritePixels(scene.Image, scene.Wavelengths, this->Exposure, output->GetPointData());
   vtkFieldData* field = output->GetFieldData();
-  AddInt(field, "Mode", this->Mode);
-  AddInt(field, "Seed", this->Seed);
-  shadowcones::AddIdArray(field, "NumberOfOcclusionRays", { image.NumberOfOcclusionRays });
-  AddDouble(field, "RenderSeconds", seconds);
-  vtkCamera* camera = scene.UsedCamera;
-  const double* position = camera->GetPosition();
-  const double* focalPoint = camera->GetFocalPoint();
-  const double* viewUp = camera->GetViewUp();
-  shadowcones::AddDoubleArray(field, "CameraPosition", 3, { position, position + 3 });
-  shadowcones::AddDoubleArray(field, "CameraFocalPoint", 3, { focalPoint, focalPoint + 3 });
-  shadowcones::AddDoubleArray(field, "CameraViewUp", 3, { viewUp, viewUp + 3 });
-  AddDouble(field, "CameraViewAngle", camera->GetViewAngle());
-  AddInt(field, "CameraParallelProjection", camera->GetParallelProjection());
-  AddDouble(field, "CameraParallelScale", camera->GetParallelScale());
-  shadowcones::AddDoubleArray(field, "SigmaS", wavelengths, scene.Medium.SigmaS);
-  shadowcones::AddDoubleArray(field, "SigmaA", wavelengths, scene.Medium.SigmaA);
-  const shadowcones::Box& box = scene.Medium.Bounds;
-  shadowcones::AddDoubleArray(
-    field, "MediumBounds", 6, { box.Min.X, box.Max.X, box.Min.Y, box.Max.Y, box.Min.Z, box.Max.Z });
+  shadowcones::AddIntArray(field, "Mode", 1, { this->Mode });
+  shadowcones::AddIntArray(field, "Seed", 1, { this->Seed });
+  shadowcones::AddDoubleArray(field, "RelativeErrorGoal", 1, { this->RelativeErrorGoal });
+  shadowcones::AddIdArray(field, "NumberOfOcclusionRays", { scene.Image.NumberOfOcclusionRays });
+  shadowcones::AddDoubleArray(field, "RenderSeconds", 1, { seconds });
+  shadowcones::WriteCamera(scene.UsedCamera, field);
+  shadowcones::WriteMedium(scene.Fog, field);
+  return 1;
 }
 
 void vtkScatteringImageFilter::PrintSelf(ostream& os, vtkIndent indent)
@@ -687,6 +446,11 @@ void vtkScatteringImageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Camera: " << this->Camera << "\n";
   os << indent << "Resolution: " << this->Resolution[0] << " x " << this->Resolution[1] << "\n";
   os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "RelativeErrorGoal: " << this->RelativeErrorGoal << "\n";
+  os << indent << "MaximumSamples: " << this->MaximumSamples << "\n";
+  os << indent << "SoftDimensions: " << this->SoftDimensions[0] << ", " << this->SoftDimensions[1] << ", "
+     << this->SoftDimensions[2] << "\n";
+  os << indent << "NumberOfSoftLightSamples: " << this->NumberOfSoftLightSamples << "\n";
   os << indent << "SigmaS: " << this->SigmaS << "\n";
   printSpectrum("SigmaSSpectrum", this->SigmaSSpectrum);
   os << indent << "SigmaA: " << this->SigmaA << "\n";
@@ -703,6 +467,7 @@ void vtkScatteringImageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IntensityThreshold: " << this->IntensityThreshold << "\n";
   os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
   os << indent << "NumberOfSurfaceLightSamples: " << this->NumberOfSurfaceLightSamples << "\n";
+  os << indent << "NumberOfEdgeSamples: " << this->NumberOfEdgeSamples << "\n";
   os << indent << "LightVisible: " << (this->LightVisible ? "On" : "Off") << "\n";
   os << indent << "Reflectance: " << this->Reflectance << "\n";
   os << indent << "ConeLength: " << this->ConeLength << "\n";

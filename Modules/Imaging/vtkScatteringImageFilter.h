@@ -3,57 +3,78 @@
  * @class vtkScatteringImageFilter
  * @brief The light shafts that a camera sees in a participating medium lit by an area light.
  *
- * Every pixel's ray is marched through the part of a homogeneous medium that lies before the first surface: single
- * scattering of the light's radiance towards the camera, attenuated on both legs, over fresh stratified points of the
- * light at every march sample. Intervals of the march are halved where the intensity differs too much between their
- * ends. A cone set tells where shadows are, and the three modes use it as Hougs and Day do ("Piecewise Constant Conic
- * Sections for Accelerated Volume Density Rendering", section 4.3):
+ * Single scattering of the light's radiance towards the camera along the part of every pixel's ray that lies in the
+ * medium before the first surface, attenuated on both legs. A cone set tells where shadows can be. Six modes, from the
+ * march of Hougs and Day ("Piecewise Constant Conic Sections for Accelerated Volume Density Rendering", section 4.3) to
+ * faster estimators:
  *
- * - BruteForce: occlusion rays from every march sample. Needs no cones.
+ * - Guided: unshadowed light, by quadrature, minus what is blocked of it, by occlusion rays inside the cones until
+ *   RelativeErrorGoal is met. Unbiased where the cones bound the shadow; without a cone set the whole of every ray is
+ *   sampled, which needs no cones and is slower.
+ * - Volume: the blocked part is read from a visibility volume: one volume, any number of cameras.
+ * - Soft: the blocked part from the cone set alone, without the mesh: the base discs of the cones are the occluders, on
+ *   a grid of SoftDimensions. Its cones are to be discs (Tuning Soft of vtkConeSetFilter).
+ * - BruteForce: a march with occlusion rays from every sample: the plain way. Needs no cones.
  * - Medium: the same samples, occlusion rays only inside the cones. Where the cones bound the shadow the image has the
  *   very bytes of BruteForce; where they do not, light leaks into it.
- * - Fast: no occlusion ray at all; lit outside the cones, dark inside. Cones of full angle darken far too much: see
- *   vtkConeSetFilter's ExpansionFraction. Surfaces are dark inside the cones of *other* occluders than their own.
+ * - Fast: the march without any occlusion ray; lit outside the cones, dark inside. Cones of full angle darken far too
+ *   much: see vtkConeSetFilter's ExpansionFraction.
  *
- * Surfaces are diffuse and alike on both sides, lit directly by the light; BruteForce and Medium trace their shadows
- * with rays. There is no multiple scattering and no light from surface to surface.
+ * BruteForce, Medium and Fast halve intervals of the march where the intensity differs too much between their ends,
+ * over fresh stratified points of the light at every node.
+ *
+ * Surfaces are diffuse and alike on both sides, lit directly by the light. Their shadows are traced with rays, in
+ * Medium, Guided and Volume only where cones (without a cone set: marked points of the volume) reach. In Fast they are
+ * dark inside the cones of *other* occluders than their own; in Soft their shadow is that of the grid one cell above.
+ * There is no multiple scattering and no light from surface to surface.
  *
  * Input ports:
  * - 0, vtkPolyData: the mesh that casts and receives shadows; polygons and strips. Cell data "OccluderId" (int, 1
  *   component, optional), "Reflectance" (1 component or one a wavelength sample, 0..1, optional). It may be empty: the
- *   image then shows the medium without shadows.
+ *   image then has no surfaces. Fast, Soft and Volume work without it.
  * - 1, vtkPolyData: the light, from vtkAreaLightSource or any mesh of polygons, which emit along their normals. Field
  *   data "LightWavelengths" (nm, one a wavelength sample) gives "RGB" its colours; without it equal bins from 400 to
  *   700 nm.
- * - 2, vtkPolyData, optional: the cone set of vtkConeSetFilter. Needed by Medium and Fast.
+ * - 2, vtkPolyData, optional: the cone set of vtkConeSetFilter. Needed by Medium, Fast and Soft; Guided and Volume are
+ *   faster with it.
+ * - 3, vtkImageData, optional: the visibility volume of vtkVisibilityVolume, or any image with point data "Visibility"
+ *   (1 component, 0..1) at two points or more along every axis. Needed by Volume. Outside it everything is lit.
+ * - 4, vtkImageData, optional, used in every mode: the density of the medium, which multiplies SigmaS and SigmaA. Point
+ *   data "Density", else the active scalars, else the first array (1 component, 0 and above). Trilinear between its
+ *   points, constant along an axis with a single one; where it does not reach there is no medium. Without it the density
+ *   is 1.
  *
  * Output port 0, vtkImageData of Resolution[0] x Resolution[1] x 1 points; point (i, j) is a pixel, j upwards. Point
  * data:
  * - "Radiance" (float, one component a wavelength sample, W m^-2 sr^-1): InScattering + SurfaceRadiance + the light
  *   itself.
  * - "InScattering" (float, one component a wavelength sample): the medium term alone.
- * - "SurfaceRadiance" (float, one component a wavelength sample): of the first surface, as seen through the medium.
+ * - "SurfaceRadiance" (float, one component a wavelength sample): of the first surface, as seen through the medium. At
+ *   edges, as the light itself, a mean over the pixel; everything else is that of the ray through the pixel's centre.
  * - "Transmittance" (float, one component a wavelength sample, 0..1): of the medium to the first surface, or all
  *   through it.
  * - "Depth" (float, world units): along the ray to the first surface; -1 where there is none.
- * - "RelativeError" (float): one standard error of InScattering over its value, mean over wavelengths, from the
- *   differences between light samples; the steps of the march are not in it. 0 where nothing scatters, -1 with one
- *   light sample.
- * - "SampleCount" (int): light samples taken for the medium term.
+ * - "RelativeError" (float): one standard error of InScattering over its value, mean over wavelengths. Guided: of the
+ *   samples and of the interpolated unshadowed light. BruteForce and Medium: from the differences between light
+ *   samples; the steps of the march are not in it; -1 with one light sample. Volume and Soft: -1, not known. Fast: as
+ *   BruteForce, without the error of its shadows. 0 where nothing scatters.
+ * - "SampleCount" (int): light samples taken for the medium term; in Volume and Soft places of the grid read.
  * - "RGB" (unsigned char, 3 components, the active scalars): Radiance times Exposure as sRGB; equal energy is white.
  *
- * Field data: "Mode" (int), "Seed" (int), "NumberOfOcclusionRays" (vtkIdType; of this extent), "RenderSeconds" (double;
- * the one array that differs from run to run), "CameraPosition", "CameraFocalPoint", "CameraViewUp" (double, 3
+ * Field data: "Mode" (int), "Seed" (int), "RelativeErrorGoal" (double), "NumberOfOcclusionRays" (vtkIdType; of this
+ * run and extent: those that filled a visibility volume before are in the volume's field data), "RenderSeconds"
+ * (double; the one array that differs from run to run), "CameraPosition", "CameraFocalPoint", "CameraViewUp" (double, 3
  * components), "CameraViewAngle" (double, degrees), "CameraParallelProjection" (int), "CameraParallelScale" (double),
  * "SigmaS", "SigmaA" (double, one component a wavelength sample), "MediumBounds" (double, 6 components).
  *
  * The bytes are the same for any number of threads and for any division into extents.
  *
- * @warning The march has a finite step: light near a lamp inside the medium, and shafts thinner than the medium's
- * length over NumberOfSteps, want more steps. Near and far clipping planes, window centre, view shear
- * and lens parameters of the camera are not used.
+ * @warning BruteForce, Medium and Fast have a finite step: light near a lamp inside the medium, and shafts thinner than
+ * the medium's length over NumberOfSteps, want more steps. Volume knows its shadows to a cell or brick of the grid, and
+ * cannot know whether the volume was made for this light and mesh. Near and far clipping planes, window centre, view
+ * shear and lens parameters of the camera are not used.
  *
- * @sa vtkConeSetFilter vtkAreaLightSource vtkLabelOccluders
+ * @sa vtkConeSetFilter vtkVisibilityVolume vtkAreaLightSource vtkLabelOccluders
  */
 #ifndef vtkScatteringImageFilter_h
 #define vtkScatteringImageFilter_h
@@ -61,6 +82,7 @@
 #include "ShadowConesImagingModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+#include <string> // For messages
 #include <vector> // For the spectra
 
 class vtkAlgorithmOutput;
@@ -77,7 +99,10 @@ public:
   {
     BruteForce = 0,
     Medium = 1,
-    Fast = 2
+    Fast = 2,
+    Guided = 3,
+    Soft = 4,
+    Volume = 5
   };
 
   enum PhaseFunctionType
@@ -98,10 +123,26 @@ public:
 
   ///@{
   /**
-   * The cone set, input port 2. Required by Medium and Fast, not used by BruteForce.
+   * The cone set, input port 2. Required by Medium, Fast and Soft, used by Guided and Volume, not by BruteForce.
    */
   void SetConeSetConnection(vtkAlgorithmOutput* cones);
   void SetConeSetData(vtkDataObject* cones);
+  ///@}
+
+  ///@{
+  /**
+   * The visibility volume, input port 3. Required by Volume, not used by the others.
+   */
+  void SetVisibilityVolumeConnection(vtkAlgorithmOutput* volume);
+  void SetVisibilityVolumeData(vtkDataObject* volume);
+  ///@}
+
+  ///@{
+  /**
+   * The density of the medium, input port 4. Optional, used in every mode; nullptr: 1 everywhere.
+   */
+  void SetDensityConnection(vtkAlgorithmOutput* density);
+  void SetDensityData(vtkDataObject* density);
   ///@}
 
   ///@{
@@ -124,13 +165,52 @@ public:
 
   ///@{
   /**
-   * What occlusion is taken from, as described above. Default: BruteForce.
+   * What occlusion is taken from, as described above. Default: Guided.
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
   void SetModeToBruteForce() { this->SetMode(BruteForce); }
   void SetModeToMedium() { this->SetMode(Medium); }
   void SetModeToFast() { this->SetMode(Fast); }
+  void SetModeToGuided() { this->SetMode(Guided); }
+  void SetModeToSoft() { this->SetMode(Soft); }
+  void SetModeToVolume() { this->SetMode(Volume); }
+  ///@}
+
+  ///@{
+  /**
+   * Guided: a pixel takes as many samples as make the "RelativeError" of its medium term about this, 1.5 times at most,
+   * or MaximumSamples. In pixels that are much darker than the unshadowed image it is a share of a tenth of that image's
+   * brightness. Default: 0.01. Valid: 0 and above; 0 takes MaximumSamples in every pixel that a cone reaches.
+   */
+  vtkSetMacro(RelativeErrorGoal, double);
+  vtkGetMacro(RelativeErrorGoal, double);
+  ///@}
+
+  ///@{
+  /**
+   * Guided: light samples of a pixel, at most, each with one occlusion ray. Default: 1024. Valid: at least 1.
+   */
+  vtkSetMacro(MaximumSamples, int);
+  vtkGetMacro(MaximumSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Soft: points along x, y and z of the grid over the medium's bounds on which the visible share of the light is
+   * found. For more than one image of the same cones a vtkVisibilityVolume with Method Soft saves filling it again.
+   * Default: 65, 65, 65. Valid: at least 2 each, at most 2^31 - 1 together.
+   */
+  vtkSetVector3Macro(SoftDimensions, int);
+  vtkGetVector3Macro(SoftDimensions, int);
+  ///@}
+
+  ///@{
+  /**
+   * Soft: samples of the light for each point of the grid. Default: 64. Valid: 1 to 65,536.
+   */
+  vtkSetMacro(NumberOfSoftLightSamples, int);
+  vtkGetMacro(NumberOfSoftLightSamples, int);
   ///@}
 
   ///@{
@@ -199,7 +279,8 @@ public:
   /**
    * The box that the medium fills, world units: x from, to, y from, to, z from, to. Default: 1, -1, 1, -1, 1, -1, which
    * stands for the joint bounds of mesh and light (without a Sun), each side enlarged by 10 % about the centre; a flat
-   * side becomes 10 % of the diagonal. Valid: from at most to.
+   * side becomes 10 % of the diagonal. Without a mesh the bases of the cones stand for it, without both the visibility
+   * volume is the box. Valid: from at most to; for Soft from below to.
    */
   vtkSetVector6Macro(MediumBounds, double);
   vtkGetVector6Macro(MediumBounds, double);
@@ -207,7 +288,8 @@ public:
 
   ///@{
   /**
-   * Equal intervals of the march along the part of a ray that lies in the medium. Default: 32. Valid: 1 to 1,000,000.
+   * BruteForce, Medium, Fast: equal intervals of the march along the part of a ray that lies in the medium. Default:
+   * 32. Valid: 1 to 1,000,000.
    */
   vtkSetMacro(NumberOfSteps, int);
   vtkGetMacro(NumberOfSteps, int);
@@ -215,7 +297,7 @@ public:
 
   ///@{
   /**
-   * Times that an interval of the march may be halved. Default: 3. Valid: 0..16.
+   * BruteForce, Medium, Fast: times that an interval of the march may be halved. Default: 3. Valid: 0..16.
    */
   vtkSetMacro(MaximumDepth, int);
   vtkGetMacro(MaximumDepth, int);
@@ -223,8 +305,8 @@ public:
 
   ///@{
   /**
-   * An interval is halved where the intensities at its ends differ by more than this share of the largest intensity at
-   * the ray's NumberOfSteps + 1 nodes. Default: 0.1. Valid: 0 and above.
+   * BruteForce, Medium, Fast: an interval is halved where the intensities at its ends differ by more than this share of
+   * the largest intensity at the ray's NumberOfSteps + 1 nodes. Default: 0.1. Valid: 0 and above.
    */
   vtkSetMacro(IntensityThreshold, double);
   vtkGetMacro(IntensityThreshold, double);
@@ -232,7 +314,7 @@ public:
 
   ///@{
   /**
-   * Fresh stratified light points at every march sample. Default: 16. Valid: at least 1.
+   * BruteForce, Medium, Fast: fresh stratified light points at every march sample. Default: 16. Valid: at least 1.
    */
   vtkSetMacro(NumberOfLightSamples, int);
   vtkGetMacro(NumberOfLightSamples, int);
@@ -244,6 +326,15 @@ public:
    */
   vtkSetMacro(NumberOfSurfaceLightSamples, int);
   vtkGetMacro(NumberOfSurfaceLightSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Camera rays for surfaces and for the light itself where a pixel sees an edge. Default: 4. Valid: 1 to 1024; 1:
+   * edges are not anti-aliased.
+   */
+  vtkSetMacro(NumberOfEdgeSamples, int);
+  vtkGetMacro(NumberOfEdgeSamples, int);
   ///@}
 
   ///@{
@@ -308,16 +399,18 @@ private:
 
   struct Scene; // what RequestData hands to Core
 
-  bool CheckParameters();
-  bool ReadInputs(vtkInformationVector** inputs, Scene& scene);
-  bool ReadReflectance(vtkInformationVector** inputs, Scene& scene);
-  bool ReadMedium(vtkInformationVector** inputs, Scene& scene);
-  bool ReadCamera(Scene& scene);
-  void WriteOutput(const Scene& scene, double seconds, const int extent[6], vtkImageData* output);
+  bool CheckParameters(std::string& error) const;
+  bool ReadScene(vtkInformationVector** inputs, Scene& scene, std::string& error) const;
+  void SetOptions(const int extent[6], Scene& scene) const;
+  bool Render(Scene& scene);
 
   vtkCamera* Camera = nullptr;
   int Resolution[2] = { 256, 256 };
-  int Mode = BruteForce;
+  int Mode = Guided;
+  double RelativeErrorGoal = 0.01;
+  int MaximumSamples = 1024;
+  int SoftDimensions[3] = { 65, 65, 65 };
+  int NumberOfSoftLightSamples = 64;
   double SigmaS = 0.1;
   double SigmaA = 0.0;
   std::vector<double> SigmaSSpectrum; // NaN where SigmaS counts
@@ -331,6 +424,7 @@ private:
   double IntensityThreshold = 0.1;
   int NumberOfLightSamples = 16;
   int NumberOfSurfaceLightSamples = 16;
+  int NumberOfEdgeSamples = 4;
   vtkTypeBool LightVisible = true;
   double Reflectance = 0.5;
   double ConeLength = 0.0;

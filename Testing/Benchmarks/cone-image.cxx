@@ -9,6 +9,7 @@
 
 #include "scConeIntervals.h"
 #include "scRandom.h"
+#include "scVisibilityGrid.h"
 #include "scVisibilityProbe.h"
 
 #include "vtkSMPTools.h"
@@ -21,7 +22,7 @@
 #include <exception>
 #include <functional>
 #include <map>
-#include <memory>
+#include <set>
 
 using namespace shadowcones;
 
@@ -230,132 +231,6 @@ double OutsideCones(const PixelRay& ray, const ConeHierarchy& cones, std::vector
   return sum;
 }
 
-/// Visible fractions at the vertices of a regular grid over a box, trilinear between them.
-class VisibilityGrid
-{
-public:
-  VisibilityGrid(const VisibilityProbe& probe, const Box& bounds, int side)
-    : Side(side)
-    , Bounds(bounds)
-  {
-    const Vector3 size = this->Bounds.Size();
-    std::vector<double> points;
-    for (int k = 0; k < side; ++k)
-    {
-      for (int j = 0; j < side; ++j)
-      {
-        for (int i = 0; i < side; ++i)
-        {
-          points.insert(points.end(),
-            { this->Bounds.Min.X + size.X * i / (side - 1), this->Bounds.Min.Y + size.Y * j / (side - 1),
-              this->Bounds.Min.Z + size.Z * k / (side - 1) });
-        }
-      }
-    }
-    VisibilityResult result;
-    ProbeVisibility(probe, points.data(), nullptr, static_cast<vtkIdType>(points.size() / 3), {}, result);
-    this->Values = std::move(result.Visibility);
-  }
-
-  /**
-   * Visibility jumps at the occluder: cells that a base disc passes get a grid of their own, so that little of the dark
-   * bleeds through to the lit side.
-   */
-  void Refine(const VisibilityProbe& probe, const std::vector<Cone>& discs, int parts)
-  {
-    const Vector3 step = (1.0 / (this->Side - 1)) * this->Bounds.Size();
-    this->Bricks.resize(static_cast<std::size_t>(this->Side - 1) * (this->Side - 1) * (this->Side - 1));
-    std::vector<unsigned char> wanted(this->Bricks.size(), 0);
-    for (const Cone& disc : discs)
-    {
-      int first[3];
-      int last[3];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const double n = disc.Normal[axis];
-        const double reach = disc.BaseRadius * std::sqrt(std::max(0.0, 1.0 - n * n));
-        const double middle = disc.Center[axis] - this->Bounds.Min[axis];
-        first[axis] = std::clamp(static_cast<int>((middle - reach) / step[axis]), 0, this->Side - 2);
-        last[axis] = std::clamp(static_cast<int>((middle + reach) / step[axis]), 0, this->Side - 2);
-      }
-      const double half = 0.5 *
-        (std::abs(disc.Normal.X) * step.X + std::abs(disc.Normal.Y) * step.Y + std::abs(disc.Normal.Z) * step.Z);
-      for (int k = first[2]; k <= last[2]; ++k)
-      {
-        for (int j = first[1]; j <= last[1]; ++j)
-        {
-          for (int i = first[0]; i <= last[0]; ++i)
-          {
-            const Vector3 offset{ (i + 0.5) * step.X, (j + 0.5) * step.Y, (k + 0.5) * step.Z };
-            const Vector3 middle = this->Bounds.Min + offset;
-            if (std::abs(Dot(disc.Normal, middle - disc.Center)) <= half)
-            {
-              wanted[this->CellIndex(i, j, k)] = 1;
-            }
-          }
-        }
-      }
-    }
-    vtkSMPTools::For(0, static_cast<vtkIdType>(wanted.size()), 256,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType cell = begin; cell < end; ++cell)
-        {
-          if (wanted[cell])
-          {
-            const vtkIdType side = this->Side - 1;
-            const Vector3 low = this->Bounds.Min +
-              Vector3{ (cell % side) * step.X, (cell / side % side) * step.Y, (cell / side / side) * step.Z };
-            this->Bricks[cell] = std::make_unique<VisibilityGrid>(probe, Box{ low, low + step }, parts + 1);
-          }
-        }
-      });
-  }
-
-  double At(const Vector3& point) const
-  {
-    const Vector3 size = this->Bounds.Size();
-    int index[3];
-    double f[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double x = (point[axis] - this->Bounds.Min[axis]) / size[axis] * (this->Side - 1);
-      index[axis] = std::clamp(static_cast<int>(x), 0, this->Side - 2);
-      f[axis] = std::clamp(x - index[axis], 0.0, 1.0);
-    }
-    if (!this->Bricks.empty())
-    {
-      const std::unique_ptr<VisibilityGrid>& brick = this->Bricks[this->CellIndex(index[0], index[1], index[2])];
-      if (brick)
-      {
-        return brick->At(point);
-      }
-    }
-    double sum = 0.0;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const int i = corner & 1;
-      const int j = (corner >> 1) & 1;
-      const int k = corner >> 2;
-      const std::size_t at =
-        (static_cast<std::size_t>(index[2] + k) * this->Side + index[1] + j) * this->Side + index[0] + i;
-      sum += this->Values[at] * (i ? f[0] : 1.0 - f[0]) * (j ? f[1] : 1.0 - f[1]) * (k ? f[2] : 1.0 - f[2]);
-    }
-    return sum;
-  }
-
-private:
-  std::size_t CellIndex(int i, int j, int k) const
-  {
-    return (static_cast<std::size_t>(k) * (this->Side - 1) + j) * (this->Side - 1) + i;
-  }
-
-  int Side;
-  Box Bounds;
-  std::vector<float> Values;
-  std::vector<std::unique_ptr<VisibilityGrid>> Bricks; ///< a cell; empty: not refined
-};
-
 struct Setting
 {
   int Size = 256;
@@ -486,29 +361,31 @@ private:
   {
     double seconds = 0.0;
     const std::vector<Cone> cones = this->Cones(set, vectors, seconds);
-    VisibilityOptions options;
-    options.Method = method;
-    options.NumberOfLightSamples = this->Settings.LightSamples;
     const std::string name = method == VisibilityMethod::Soft ? "Soft" : "Exact";
     for (const int side : this->Settings.Sides)
     {
-      const double start = Now();
-      const VisibilityProbe probe(cones, this->Scene.Source, this->Scene.Fast.get(), RoomBounds(), options);
-      VisibilityGrid grid(probe, RoomBounds(), side);
-      const auto value = [&](const PixelRay& ray)
-      { return WithVisibility(ray, [&](const Vector3& x) { return grid.At(x); }); };
-      const std::string label = name + ", grid " + std::to_string(side);
-      this->Print(label, vectors, cones.size(), seconds, Now() - start, value);
-      if (this->Settings.Parts > 1)
+      for (const int parts : std::set<int>{ 1, this->Settings.Parts })
       {
-        const double more = Now();
-        grid.Refine(probe, cones, this->Settings.Parts);
-        const double fill = Now() - more;
-        this->Print(label + "x" + std::to_string(this->Settings.Parts), vectors, cones.size(), seconds, fill, value);
+        VisibilityGridOptions options;
+        options.Method = method;
+        options.Dimensions = { side, side, side };
+        options.NumberOfLightSamples = this->Settings.LightSamples;
+        options.BrickParts = parts;
+        const double start = Now();
+        VisibilityGrid grid;
+        FillVisibilityGrid(cones, this->Scene.Source, this->Scene.Fast.get(), RoomBounds(), options, {}, grid);
+        const double fill = Now() - start;
+        const std::string label = name + ", grid " + std::to_string(side);
+        this->Print(parts > 1 ? label + "x" + std::to_string(parts) : label, vectors, cones.size(), seconds, fill,
+          [&](const PixelRay& ray)
+          { return WithVisibility(ray, [&](const Vector3& x) { return VisibilityAt(grid, x); }); });
       }
     }
     if (this->Settings.WithoutGrid)
     {
+      VisibilityOptions options;
+      options.Method = method;
+      options.NumberOfLightSamples = this->Settings.LightSamples;
       const VisibilityProbe probe(cones, this->Scene.Source, this->Scene.Fast.get(), RoomBounds(), options);
       this->Print(name + ", no grid", vectors, cones.size(), seconds, 0.0,
         [&](const PixelRay& ray)
@@ -560,7 +437,7 @@ int main(int argc, char* argv[])
   app.add_option("--samples", setting.SamplesPerCell, "occlusion rays of the truth, in units of 4,096 a pixel")
     ->check(CLI::PositiveNumber);
   app.add_option("--grid", setting.Sides, "vertices along a side of the grid, one or more")->check(CLI::Range(2, 513));
-  app.add_option("--parts", setting.Parts, "parts into which sides of cells at base discs are cut; 1: no such rows")
+  app.add_option("--parts", setting.Parts, "parts into which sides of refined cells are cut; 1: no such rows")
     ->check(CLI::PositiveNumber);
   app.add_option("--light-samples", setting.LightSamples, "light points a vertex")->check(CLI::PositiveNumber);
   app.add_flag("--without-grid", setting.WithoutGrid, "also ask for the visible fraction along the rays themselves");
@@ -574,7 +451,7 @@ int main(int argc, char* argv[])
   {
     std::printf("# %d of %d x %d pixels, %d light points a vertex; error and bias of the medium term over its mean, "
                 "the truth's noise taken off\n# seconds: cones = vectors, tuning and fit; fill = visible fractions on the "
-                "grid (x4: what its finer cells add); "
+                "grid (x4: and in finer cells); "
                 "image = %d pixels, the lit part excluded\n",
       setting.Pixels, setting.Size, setting.Size, setting.LightSamples, setting.Pixels);
     std::printf("%-8s %-18s %8s %7s %8s %8s %8s %9s %9s\n", "scene", "shadow", "vectors", "cones", "cones s", "fill s",

@@ -138,7 +138,7 @@ int main(int argc, char* argv[])
         for (int run = 0; run < setting.Repeats; ++run)
         {
           const std::clock_t start = std::clock();
-          RenderScattering(occluders, scene.Source, medium, RoomCamera(), &cones, options, Monitor(), image);
+          RenderScattering({ occluders, scene.Source, medium, RoomCamera(), &cones }, options, Monitor(), image);
           seconds = std::min(seconds, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
         }
         brute = row.Mode == ScatteringMode::BruteForce ? seconds : brute;

@@ -193,7 +193,7 @@ TEST_P(AgainstReference, Radiance)
     {
       options.Mode = mode;
       ScatteringImage image;
-      ASSERT_TRUE(RenderScattering(*scene.Fast, light, medium, camera, &cones, options, Monitor(), image));
+      ASSERT_TRUE(RenderScattering({ *scene.Fast, light, medium, camera, &cones }, options, Monitor(), image));
       ASSERT_EQ(image.InScattering.size(), 1u);
       EXPECT_NEAR(image.InScattering[0], expected.Mean[0], 0.01 * expected.Mean[0] + 3.0 * expected.StandardError[0])
         << "pixel " << pixel[0] << ", " << pixel[1] << ", mode " << static_cast<int>(mode);

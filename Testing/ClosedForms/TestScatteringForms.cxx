@@ -45,7 +45,7 @@ ScatteringImage Render(const OccluderScene& scene, const Light& light, const Med
 {
   options.Extent = { 0, options.Width - 1, 0, options.Height - 1 };
   ScatteringImage image;
-  EXPECT_TRUE(RenderScattering(scene, light, medium, camera, cones, options, Monitor(), image));
+  EXPECT_TRUE(RenderScattering({ scene, light, medium, camera, cones }, options, Monitor(), image));
   EXPECT_EQ(image.InScattering.size(), light.Spectrum.size() * options.Width * options.Height);
   return image;
 }

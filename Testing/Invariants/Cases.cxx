@@ -11,13 +11,17 @@
 #include "vtkScatteringImageFilter.h"
 #include "vtkShadowVectorFilter.h"
 #include "vtkShadowVolume.h"
+#include "vtkVisibilityVolume.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkSphereSource.h"
 #include "vtkXMLPolyDataReader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -196,12 +200,59 @@ Setting ConeSetProbe(Size size, int method)
   return { filter, { { 0, grid }, { 1, Cones() }, { 2, Lamp() }, { 3, Room() } } };
 }
 
-Setting ScatteringImage(Size size, int mode)
+Setting VisibilityVolume(Size size, int method)
+{
+  auto filter = vtkSmartPointer<vtkVisibilityVolume>::New();
+  filter->SetMethod(method);
+  const int edge = size == Size::Small ? 18 : 150;
+  filter->SetDimensions(edge, edge + 3, edge + 1);
+  filter->SetBrickParts(4);
+  filter->SetNumberOfLightSamples(size == Size::Small ? 16 : 64);
+  filter->SetBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
+  return { filter, { { 0, Cones() }, { 1, Lamp() }, { 2, Room() } } };
+}
+
+/// A visibility volume of the room.
+vtkImageData* Shadow()
+{
+  static const vtkSmartPointer<vtkImageData> volume = [] {
+    Setting setting = VisibilityVolume(Size::Small, vtkVisibilityVolume::Exact);
+    setting.Connect();
+    setting.Filter->Update();
+    auto copy = vtkSmartPointer<vtkImageData>::New();
+    copy->DeepCopy(setting.Filter->GetOutputDataObject(0));
+    return copy;
+  }();
+  return volume;
+}
+
+/// Fog that thins out upwards.
+vtkSmartPointer<vtkImageData> Fog()
+{
+  auto fog = vtkSmartPointer<vtkImageData>::New();
+  fog->SetDimensions(4, 9, 5);
+  fog->SetOrigin(-2.75, 0.0, -2.75);
+  fog->SetSpacing(5.5 / 3.0, 0.6, 5.5 / 4.0);
+  std::vector<float> density;
+  for (vtkIdType i = 0; i < fog->GetNumberOfPoints(); ++i)
+  {
+    density.push_back(static_cast<float>(std::max(0.0, 2.0 - 0.5 * fog->GetPoint(i)[1])));
+  }
+  shadowcones::AddFloatArray(fog->GetPointData(), "Density", 1, density);
+  return fog;
+}
+
+Setting ScatteringImage(Size size, int mode, bool inFog = false)
 {
   auto filter = vtkSmartPointer<vtkScatteringImageFilter>::New();
   filter->SetMode(mode);
-  const int pixels = size == Size::Small ? 36 : 600;
+  const bool small = size == Size::Small;
+  const bool fast = mode == vtkScatteringImageFilter::Soft || mode == vtkScatteringImageFilter::Volume;
+  const int pixels = small ? 36 : (fast ? 1200 : 600);
   filter->SetResolution(pixels, pixels - 3);
+  filter->SetRelativeErrorGoal(small ? 0.01 : 0.002);
+  const int edge = small ? 20 : 129;
+  filter->SetSoftDimensions(edge, edge + 2, edge - 3);
   filter->SetSigmaS(0.12);
   filter->SetMediumBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
   vtkNew<vtkCamera> camera;
@@ -213,6 +264,14 @@ Setting ScatteringImage(Size size, int mode)
   if (mode != vtkScatteringImageFilter::BruteForce)
   {
     setting.Inputs.emplace_back(2, Cones());
+  }
+  if (mode == vtkScatteringImageFilter::Volume)
+  {
+    setting.Inputs.emplace_back(3, Shadow());
+  }
+  if (inFog)
+  {
+    setting.Inputs.emplace_back(4, Fog());
   }
   return setting;
 }
@@ -244,9 +303,16 @@ const std::vector<Case>& AllCases()
     { "ShadowVolumeBaseDiscs", [](Size size) { return ShadowVolume(size, vtkShadowVolume::BASE_DISCS); } },
     { "ConeSetProbeExact", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::EXACT); }, true, false },
     { "ConeSetProbeSoft", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::SOFT); }, true, false },
+    { "VisibilityVolumeExact", [](Size size) { return VisibilityVolume(size, vtkVisibilityVolume::Exact); } },
+    { "VisibilityVolumeSoft", [](Size size) { return VisibilityVolume(size, vtkVisibilityVolume::Soft); } },
     { "ScatteringBruteForce", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::BruteForce); } },
     { "ScatteringMedium", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Medium); } },
     { "ScatteringFast", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Fast); } },
+    { "ScatteringGuided", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Guided); } },
+    { "ScatteringSoft", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Soft); } },
+    { "ScatteringVolume", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Volume); } },
+    { "ScatteringGuidedFog", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Guided, true); } },
+    { "ScatteringVolumeFog", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Volume, true); } },
   };
   return cases;
 }

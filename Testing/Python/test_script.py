@@ -8,8 +8,8 @@ import unittest
 import numpy as np
 import shadowcones as sc
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkCommand
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkCommand
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import vtkCamera
@@ -61,7 +61,12 @@ class Script(unittest.TestCase):
         image.SetNumberOfLightSamples(16); image.SetSeed(1)
         image.Update()
 
+        volume = sc.vtkVisibilityVolume(); volume.SetInputConnection(cones.GetOutputPort())
+        volume.SetLightConnection(light.GetOutputPort()); volume.SetMeshConnection(occluders.GetOutputPort())
+        volume.SetDimensions(33, 33, 33); volume.SetBounds(-2.75, 2.75, 0, 5.2, -2.75, 2.75)
+
         cls.light, cls.occluders, cls.vectors, cls.cones, cls.image = light, occluders, vectors, cones, image
+        cls.volume = volume
 
     def check(self, data, tuples, arrays):
         for name, kind, components in arrays:
@@ -176,6 +181,44 @@ class Script(unittest.TestCase):
         self.image.SetModeToMedium()
         self.assertGreater(brute, 0.0)
         self.assertLess(fast, brute)
+
+    def test_faster_modes(self):
+        def medium_term():
+            self.image.Update()
+            return vtk_to_numpy(self.image.GetOutput().GetPointData().GetArray("InScattering")).mean(axis=1)
+
+        self.image.SetModeToBruteForce()
+        brute = medium_term()
+        self.image.SetModeToGuided(); self.image.SetRelativeErrorGoal(0.01)
+        guided = medium_term()
+        goal = self.image.GetOutput().GetFieldData().GetArray("RelativeErrorGoal").GetTuple1(0)
+        self.image.SetVisibilityVolumeConnection(self.volume.GetOutputPort()); self.image.SetModeToVolume()
+        volume = medium_term()
+        self.image.SetModeToSoft(); self.image.SetSoftDimensions(17, 17, 17)
+        soft = medium_term()
+        self.image.SetModeToMedium()
+        self.image.Update()
+        self.assertEqual(goal, 0.01)
+        for name, values, bound in (("Guided", guided, 0.03), ("Volume", volume, 0.03), ("Soft", soft, 0.1)):
+            with self.subTest(name):
+                self.assertLess(np.sqrt(((values - brute)**2).mean()) / brute.mean(), bound)
+
+    def test_density(self):
+        def mean(density):
+            self.image.SetDensityData(density)
+            self.image.Update()
+            return vtk_to_numpy(self.image.GetOutput().GetPointData().GetArray("InScattering")).mean()
+
+        thin = vtkImageData()
+        thin.SetDimensions(2, 2, 2)
+        thin.SetOrigin(-2.75, 0.0, -2.75)
+        thin.SetSpacing(5.5, 5.2, 5.5)
+        thin.AllocateScalars(VTK_FLOAT, 1)
+        thin.GetPointData().GetScalars().Fill(0.1)
+        less = mean(thin)
+        even = mean(None)
+        self.assertGreater(less, 0.1 * even)  # less light is lost on the way
+        self.assertLess(less, 0.3 * even)
 
     def test_blocks_are_occluders(self):
         blocks = vtkMultiBlockDataSet()

@@ -223,6 +223,47 @@ TEST(OccluderScene, SurvivesTrianglesWithoutArea)
   EXPECT_TRUE(std::isfinite(hit.T));
 }
 
+TEST_P(OccluderScenePlaces, PacketsFindWhatSingleRaysFind)
+{
+  const Place& place = GetParam();
+  const Mesh mesh = Clutter(place.Scale, place.Offset);
+  const OccluderScene scene(mesh.View());
+  int found = 0;
+  for (std::uint64_t packet = 0; packet < 500; ++packet)
+  {
+    RandomStream random(11, packet);
+    Vector3 origins[OccluderScene::PacketSize];
+    Vector3 directions[OccluderScene::PacketSize];
+    RayHit hits[OccluderScene::PacketSize];
+    const Vector3 eye = place.Scale * 6.0 * RandomDirection(random) + place.Offset;
+    const Vector3 ahead = Normalized(place.Offset - eye);
+    const int count = 1 + static_cast<int>(packet % OccluderScene::PacketSize);
+    for (int k = 0; k < count; ++k)
+    {
+      origins[k] = eye;
+      directions[k] = Normalized(ahead + 0.3 * RandomDirection(random));
+    }
+    scene.IntersectPacket(origins, directions, count, hits);
+    for (int k = 0; k < count; ++k)
+    {
+      if (EveryTriangle(mesh.View(), origins[k], directions[k]).NearEdge)
+      {
+        continue;
+      }
+      RayHit single;
+      const bool expected = scene.Intersect(origins[k], directions[k], 0.0, HUGE_VAL, single);
+      ASSERT_EQ(hits[k].Triangle, expected ? single.Triangle : -1) << "packet " << packet << ", ray " << k;
+      if (expected)
+      {
+        ++found;
+        EXPECT_EQ(hits[k].T, single.T);
+        EXPECT_EQ(hits[k].FrontFacing, single.FrontFacing);
+      }
+    }
+  }
+  EXPECT_GT(found, 1000);
+}
+
 TEST(OccluderScene, SurvivesRaysThatAreNotNumbers)
 {
   Mesh mesh;
@@ -234,6 +275,15 @@ TEST(OccluderScene, SurvivesRaysThatAreNotNumbers)
   EXPECT_TRUE(hits.empty());
   scene.IntersectAll({ 0.0, 0.0, 0.0 }, { nan, nan, nan }, 0.0, HUGE_VAL, hits);
   EXPECT_TRUE(hits.empty());
+  const Vector3 origins[2] = { { nan, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
+  const Vector3 directions[2] = { { 0.0, 0.0, 1.0 }, { 0.0, 0.6, 0.8 } };
+  RayHit packet[2];
+  scene.IntersectPacket(origins, directions, 2, packet);
+  EXPECT_EQ(packet[0].Triangle, -1);
+  EXPECT_GE(packet[1].Triangle, 0);
+  const OccluderScene empty(Mesh().View());
+  empty.IntersectPacket(origins, directions, 2, packet);
+  EXPECT_EQ(packet[1].Triangle, -1);
 }
 
 TEST(OccluderScene, NormalsAndBoundsAreThoseOfTheMesh)

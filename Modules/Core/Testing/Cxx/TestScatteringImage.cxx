@@ -104,7 +104,7 @@ struct Room
     ScatteringOptions options = this->Options;
     options.Mode = mode;
     ScatteringImage image;
-    EXPECT_TRUE(RenderScattering(scene, this->Lamp, this->Fog, this->View, &hierarchy, options, {}, image));
+    EXPECT_TRUE(RenderScattering({ scene, this->Lamp, this->Fog, this->View, &hierarchy }, options, {}, image));
     return image;
   }
 };
@@ -146,7 +146,7 @@ ScatteringImage RenderPixel(
   options.Extent = { 0, 0, 0, 0 };
   const OccluderScene scene(mesh.View());
   ScatteringImage image;
-  EXPECT_TRUE(RenderScattering(scene, light, medium, camera, nullptr, options, {}, image));
+  EXPECT_TRUE(RenderScattering({ scene, light, medium, camera }, options, {}, image));
   return image;
 }
 
@@ -390,7 +390,8 @@ TEST(ScatteringImage, FastLeavesOutExactlyTheCones)
   options.Width = options.Height = 1;
   options.Extent = { 0, 0, 0, 0 };
   ScatteringImage image;
-  ASSERT_TRUE(RenderScattering(scene, sun, medium, SinglePixel({ 0.0, 0.5, 4.0 }), &cones, options, {}, image));
+  const Camera camera = SinglePixel({ 0.0, 0.5, 4.0 });
+  ASSERT_TRUE(RenderScattering({ scene, sun, medium, camera, &cones }, options, {}, image));
   const double s = 0.1;
   const double lit = (1.0 - std::exp(-s * 1.5) + std::exp(-s * 2.5) - std::exp(-s * 4.0)) / s;
   EXPECT_NEAR(image.InScattering[0] / (s / (4.0 * pi) * std::exp(-s * 0.5) * lit), 1.0, 1e-4);
@@ -574,8 +575,8 @@ TEST(ScatteringImage, StopsWhereTheMonitorSaysSo)
   double reported = 0.0;
   monitor.Progress = [&reported](double share) { reported = share; };
   ScatteringImage image;
-  EXPECT_TRUE(RenderScattering(scene, room.Lamp, room.Fog, room.View, nullptr, room.Options, monitor, image));
+  EXPECT_TRUE(RenderScattering({ scene, room.Lamp, room.Fog, room.View }, room.Options, monitor, image));
   EXPECT_EQ(reported, 1.0);
   monitor.Aborted = [] { return true; };
-  EXPECT_FALSE(RenderScattering(scene, room.Lamp, room.Fog, room.View, nullptr, room.Options, monitor, image));
+  EXPECT_FALSE(RenderScattering({ scene, room.Lamp, room.Fog, room.View }, room.Options, monitor, image));
 }

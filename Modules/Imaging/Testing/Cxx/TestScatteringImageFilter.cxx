@@ -1,175 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The scattering image as a filter: arrays, camera, pieces, progress, and a message for each fault.
 #include "vtkScatteringImageFilter.h"
 
-#include "scAdapters.h"
-#include "vtkAreaLightSource.h"
+#include "ImageTesting.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkCallbackCommand.h"
-#include "vtkCamera.h"
 #include "vtkCellData.h"
-#include "vtkCommand.h"
-#include "vtkDataArray.h"
-#include "vtkExecutive.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkNew.h"
-#include "vtkPlaneSource.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstring>
 #include <limits>
 #include <sstream>
-#include <string>
 
-namespace
-{
+using namespace imagetesting;
 
-constexpr int width = 12;
-constexpr int height = 10;
-const char* const arrays[] = { "Radiance", "InScattering", "SurfaceRadiance", "Transmittance", "Depth", "RelativeError",
-  "SampleCount", "RGB" };
-
-vtkSmartPointer<vtkPolyData> Plane(const double origin[3], const double u[3], const double v[3])
-{
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(origin[0], origin[1], origin[2]);
-  plane->SetPoint1(origin[0] + u[0], origin[1] + u[1], origin[2] + u[2]);
-  plane->SetPoint2(origin[0] + v[0], origin[1] + v[1], origin[2] + v[2]);
-  plane->Update();
-  return plane->GetOutput();
-}
-
-/// A tilted plate over a floor.
-vtkSmartPointer<vtkPolyData> PlateAndFloor()
-{
-  const double plate[3][3] = { { -0.7, 0.1, -0.5 }, { 1.2, 0.3, 0.0 }, { 0.0, 0.1, 1.1 } };
-  const double floor[3][3] = { { -2.0, -1.9, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 4.0 } };
-  vtkNew<vtkAppendPolyData> append;
-  append->AddInputData(Plane(plate[0], plate[1], plate[2]));
-  append->AddInputData(Plane(floor[0], floor[1], floor[2]));
-  append->Update();
-  return append->GetOutput();
-}
-
-/// One cone that holds all of the plate's shadow.
-vtkSmartPointer<vtkPolyData> BoundingCone()
-{
-  shadowcones::Cone cone;
-  cone.Center = { -0.1, 0.9, 0.0 };
-  cone.Axis = { 0.0, -1.0, 0.0 };
-  cone.Normal = cone.Axis;
-  cone.BaseRadius = 1.5;
-  cone.HalfAngle = std::atan(2.0 / 1.1);
-  cone.OccluderId = 0;
-  auto output = vtkSmartPointer<vtkPolyData>::New();
-  shadowcones::WriteConeSet({ cone }, output);
-  return output;
-}
-
-/// Errors of a filter and its executive, kept instead of printed.
-class Messages
-{
-public:
-  explicit Messages(vtkAlgorithm* filter)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<Messages*>(self)->Text += static_cast<const char*>(text); });
-    filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
-  }
-  std::string Text;
-
-private:
-  vtkNew<vtkCallbackCommand> Command;
-};
-
-class ScatteringImageFilter : public testing::Test
-{
-protected:
-  ScatteringImageFilter()
-  {
-    this->Light->SetShapeToDisc();
-    this->Light->SetCenter(0.0, 2.0, 0.0);
-    this->Light->SetNormal(0.0, -1.0, 0.0);
-    this->Light->SetRadius(0.4);
-    this->Camera->SetPosition(0.0, 0.0, 7.0);
-    this->Camera->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Camera->SetViewAngle(38.0);
-    this->Filter->SetInputData(PlateAndFloor());
-    this->Filter->SetLightConnection(this->Light->GetOutputPort());
-    this->Filter->SetCamera(this->Camera);
-    this->Filter->SetResolution(width, height);
-    this->Filter->SetMediumBounds(-2.0, 2.0, -2.0, 2.0, -2.0, 2.0);
-    this->Filter->SetNumberOfSteps(10);
-    this->Filter->SetNumberOfLightSamples(4);
-  }
-
-  vtkSmartPointer<vtkImageData> Image()
-  {
-    this->Filter->Update();
-    auto copy = vtkSmartPointer<vtkImageData>::New();
-    copy->DeepCopy(this->Filter->GetOutput());
-    return copy;
-  }
-
-  /// Update must fail with a message that holds the text, and leave no image.
-  void ExpectError(const std::string& part)
-  {
-    Messages messages(this->Filter);
-    this->Filter->Modified();
-    this->Filter->Update();
-    EXPECT_NE(messages.Text.find(part), std::string::npos) << "got: " << messages.Text;
-    EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
-  }
-
-  vtkNew<vtkAreaLightSource> Light;
-  vtkNew<vtkCamera> Camera;
-  vtkNew<vtkScatteringImageFilter> Filter;
-};
-
-void ExpectSameBytes(vtkImageData* a, vtkImageData* b)
-{
-  for (const char* name : arrays)
-  {
-    vtkDataArray* first = a->GetPointData()->GetArray(name);
-    vtkDataArray* second = b->GetPointData()->GetArray(name);
-    ASSERT_TRUE(first && second) << name;
-    ASSERT_EQ(first->GetNumberOfValues(), second->GetNumberOfValues()) << name;
-    const auto bytes = static_cast<std::size_t>(first->GetNumberOfValues()) * first->GetDataTypeSize();
-    EXPECT_EQ(std::memcmp(first->GetVoidPointer(0), second->GetVoidPointer(0), bytes), 0) << name;
-  }
-}
-
-double Sum(vtkImageData* image, const char* name)
-{
-  vtkDataArray* array = image->GetPointData()->GetArray(name);
-  double sum = 0.0;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    sum += array->GetComponent(i, 0);
-  }
-  return sum;
-}
-
-double Field(vtkImageData* image, const char* name, int component = 0)
-{
-  vtkDataArray* array = image->GetFieldData()->GetArray(name);
-  return array ? array->GetComponent(0, component) : std::nan("");
-}
-
-} // namespace
+using ScatteringImageFilter = ImageTest;
 
 TEST_F(ScatteringImageFilter, OutputHoldsEveryDocumentedArray)
 {
@@ -196,6 +43,7 @@ TEST_F(ScatteringImageFilter, OutputHoldsEveryDocumentedArray)
   EXPECT_GT(Sum(image, "SurfaceRadiance"), 0.0);
   EXPECT_EQ(Field(image, "Mode"), 0.0);
   EXPECT_EQ(Field(image, "Seed"), 1.0);
+  EXPECT_EQ(Field(image, "RelativeErrorGoal"), 0.01);
   EXPECT_EQ(Field(image, "CameraPosition", 2), 7.0);
   EXPECT_EQ(Field(image, "CameraViewAngle"), 38.0);
   EXPECT_EQ(Field(image, "SigmaS", 1), 0.1);
@@ -253,71 +101,80 @@ TEST_F(ScatteringImageFilter, AnUnoccludedSceneIsTheSameInEveryMode)
 
 TEST_F(ScatteringImageFilter, TheSameBytesForAnyNumberOfThreads)
 {
-  vtkSMPTools::Initialize(1);
-  const auto one = this->Image();
-  vtkSMPTools::Initialize(2);
-  this->Filter->Modified();
-  const auto two = this->Image();
-  vtkSMPTools::Initialize();
-  ExpectSameBytes(one, two);
+  this->ConnectDisc();
+  for (const int mode : allModes)
+  {
+    this->Filter->SetMode(mode);
+    vtkSMPTools::Initialize(1);
+    const auto one = this->Image();
+    vtkSMPTools::Initialize(2);
+    this->Filter->Modified();
+    const auto two = this->Image();
+    vtkSMPTools::Initialize();
+    ExpectSameBytes(one, two);
+  }
 }
 
 TEST_F(ScatteringImageFilter, FourPiecesMakeTheWholeImage)
 {
-  const auto whole = this->Image();
-  double rays = 0.0;
-  int pixels = 0;
-  for (int piece = 0; piece < 4; ++piece)
+  this->ConnectDisc();
+  for (const int mode : allModes)
   {
-    vtkNew<vtkScatteringImageFilter> filter;
-    filter->SetInputData(PlateAndFloor());
-    filter->SetLightConnection(this->Light->GetOutputPort());
-    filter->SetCamera(this->Camera);
-    filter->SetResolution(width, height);
-    filter->SetMediumBounds(-2.0, 2.0, -2.0, 2.0, -2.0, 2.0);
-    filter->SetNumberOfSteps(10);
-    filter->SetNumberOfLightSamples(4);
-    filter->UpdateInformation();
-    filter->UpdatePiece(piece, 4, 0);
-    vtkImageData* part = filter->GetOutput();
-    int extent[6];
-    part->GetExtent(extent);
-    ASSERT_LT(part->GetNumberOfPoints(), width * height);
-    rays += Field(part, "NumberOfOcclusionRays");
-    for (int j = extent[2]; j <= extent[3]; ++j)
+    this->Filter->SetMode(mode);
+    const auto whole = this->Image();
+    double rays = 0.0;
+    int pixels = 0;
+    for (int piece = 0; piece < 4; ++piece)
     {
-      for (int i = extent[0]; i <= extent[1]; ++i, ++pixels)
+      this->Filter->Modified();
+      this->Filter->UpdateInformation();
+      this->Filter->UpdatePiece(piece, 4, 0);
+      vtkImageData* part = this->Filter->GetOutput();
+      int extent[6];
+      part->GetExtent(extent);
+      ASSERT_LT(part->GetNumberOfPoints(), width * height);
+      rays += Field(part, "NumberOfOcclusionRays");
+      for (int j = extent[2]; j <= extent[3]; ++j)
       {
-        int ijk[3] = { i, j, 0 };
-        for (const char* name : arrays)
+        for (int i = extent[0]; i <= extent[1]; ++i, ++pixels)
         {
-          vtkDataArray* a = part->GetPointData()->GetArray(name);
-          vtkDataArray* b = whole->GetPointData()->GetArray(name);
-          for (int c = 0; c < a->GetNumberOfComponents(); ++c)
+          int ijk[3] = { i, j, 0 };
+          for (const char* name : arrays)
           {
-            ASSERT_EQ(a->GetComponent(part->ComputePointId(ijk), c), b->GetComponent(whole->ComputePointId(ijk), c));
+            vtkDataArray* a = part->GetPointData()->GetArray(name);
+            vtkDataArray* b = whole->GetPointData()->GetArray(name);
+            for (int c = 0; c < a->GetNumberOfComponents(); ++c)
+            {
+              ASSERT_EQ(a->GetComponent(part->ComputePointId(ijk), c), b->GetComponent(whole->ComputePointId(ijk), c))
+                << name << " in mode " << mode;
+            }
           }
         }
       }
     }
+    // Pieces of structured data share their borders.
+    EXPECT_GE(pixels, width * height);
+    EXPECT_GE(rays, Field(whole, "NumberOfOcclusionRays"));
   }
-  // Pieces of structured data share their borders.
-  EXPECT_GE(pixels, width * height);
-  EXPECT_GE(rays, Field(whole, "NumberOfOcclusionRays"));
 }
 
 TEST_F(ScatteringImageFilter, ASubExtentIsCutFromTheWhole)
 {
-  const auto whole = this->Image();
-  int extent[6] = { 3, 7, 2, 5, 0, 0 };
-  this->Filter->Modified();
-  this->Filter->UpdateExtent(extent);
-  vtkImageData* part = this->Filter->GetOutput();
-  ASSERT_EQ(part->GetNumberOfPoints(), 20);
-  int ijk[3] = { 4, 3, 0 };
-  vtkDataArray* a = part->GetPointData()->GetArray("Radiance");
-  vtkDataArray* b = whole->GetPointData()->GetArray("Radiance");
-  EXPECT_EQ(a->GetComponent(part->ComputePointId(ijk), 0), b->GetComponent(whole->ComputePointId(ijk), 0));
+  this->ConnectDisc();
+  for (const int mode : allModes)
+  {
+    this->Filter->SetMode(mode);
+    const auto whole = this->Image();
+    int extent[6] = { 3, 7, 2, 5, 0, 0 };
+    this->Filter->Modified();
+    this->Filter->UpdateExtent(extent);
+    vtkImageData* part = this->Filter->GetOutput();
+    ASSERT_EQ(part->GetNumberOfPoints(), 20);
+    int ijk[3] = { 4, 3, 0 };
+    vtkDataArray* a = part->GetPointData()->GetArray("Radiance");
+    vtkDataArray* b = whole->GetPointData()->GetArray("Radiance");
+    EXPECT_EQ(a->GetComponent(part->ComputePointId(ijk), 0), b->GetComponent(whole->ComputePointId(ijk), 0)) << mode;
+  }
 }
 
 TEST_F(ScatteringImageFilter, TheCameraIsPartOfTheState)
@@ -474,6 +331,17 @@ TEST_F(ScatteringImageFilter, MissingInputsHaveTheirOwnMessages)
   this->ExpectError("Mode is Medium but there is no cone set: connect a vtkConeSetFilter");
   this->Filter->SetModeToFast();
   this->ExpectError("Mode is Fast but there is no cone set");
+  this->Filter->SetModeToSoft();
+  this->ExpectError("Mode is Soft but there is no cone set");
+  this->Filter->SetModeToVolume();
+  this->ExpectError("Mode is Volume but there is no visibility volume: connect a vtkVisibilityVolume");
+  this->Filter->SetInputConnection(nullptr);
+  this->Filter->SetModeToGuided();
+  this->ExpectError("Mode is Guided but there is no mesh: connect a vtkLabelOccluders");
+  this->Filter->SetModeToBruteForce();
+  this->ExpectError("Mode is BruteForce but there is no mesh");
+  this->Filter->SetInputData(PlateAndFloor());
+  this->Filter->SetModeToFast();
   auto cones = BoundingCone();
   cones->GetPointData()->RemoveArray("BaseRadius");
   this->Filter->SetConeSetData(cones);
@@ -502,10 +370,47 @@ TEST_F(ScatteringImageFilter, BadInputsHaveTheirOwnMessages)
   this->Filter->SetInputData(mesh);
   this->ExpectError("\"Reflectance\" of the mesh is 1.5 at cell 1");
 
+  mesh = PlateAndFloor();
+  shadowcones::AddFloatArray(mesh->GetCellData(), "Reflectance", 1, { 0.5f });
+  this->Filter->SetInputData(mesh);
+  this->ExpectError("\"Reflectance\" of the mesh has 1 tuples for 2 cells");
+
   this->Filter->SetInputData(vtkNew<vtkPolyData>().Get());
   this->Filter->SetMediumBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
   this->Light->SetShapeToSun();
   this->ExpectError("MediumBounds are not set");
+
+  this->Filter->SetMediumBounds(-1.0, 1.0, 0.0, 0.0, -1.0, 1.0);
+  this->Filter->SetConeSetData(DiscCone());
+  this->Filter->SetModeToSoft();
+  this->ExpectError("Mode is Soft and MediumBounds are flat");
+}
+
+TEST_F(ScatteringImageFilter, BadImagesHaveTheirOwnMessages)
+{
+  this->Image();
+  this->Filter->SetModeToVolume();
+  this->Filter->SetVisibilityVolumeData(Constant("Light", 1.0f));
+  this->ExpectError("Visibility volume (input port 3): The visibility volume has no point array \"Visibility\"");
+  auto volume = Constant("Visibility", 1.0f);
+  volume->GetPointData()->GetArray("Visibility")->SetComponent(5, 0, std::nan(""));
+  this->Filter->SetVisibilityVolumeData(volume);
+  this->ExpectError("\"Visibility\" of the visibility volume is nan at point 5");
+  this->Filter->SetVisibilityVolumeData(vtkNew<vtkImageData>().Get());
+  this->ExpectError("Visibility volume (input port 3): ");
+  this->Filter->SetVisibilityVolumeData(Constant("Visibility", 1.0f));
+  for (const int mode : { vtkScatteringImageFilter::BruteForce, vtkScatteringImageFilter::Volume })
+  {
+    this->Filter->SetMode(mode);
+    this->Filter->SetDensityData(Constant("Density", -1.0f));
+    this->ExpectError("Density (input port 4): ");
+    this->Filter->SetDensityData(nullptr);
+    EXPECT_GT(Sum(this->Image(), "InScattering"), 0.0);
+  }
+  // What is not used is not read.
+  this->Filter->SetVisibilityVolumeData(volume);
+  this->Filter->SetModeToBruteForce();
+  EXPECT_GT(Sum(this->Image(), "InScattering"), 0.0);
 }
 
 TEST_F(ScatteringImageFilter, BadParametersHaveTheirOwnMessages)
@@ -537,6 +442,20 @@ TEST_F(ScatteringImageFilter, BadParametersHaveTheirOwnMessages)
   expect(
     "NumberOfSurfaceLightSamples is -1", [&] { f->SetNumberOfSurfaceLightSamples(-1); },
     [&] { f->SetNumberOfSurfaceLightSamples(2); });
+  expect(
+    "NumberOfEdgeSamples is 0", [&] { f->SetNumberOfEdgeSamples(0); }, [&] { f->SetNumberOfEdgeSamples(1); });
+  expect(
+    "RelativeErrorGoal is -0.01", [&] { f->SetRelativeErrorGoal(-0.01); }, [&] { f->SetRelativeErrorGoal(0.01); });
+  expect(
+    "MaximumSamples is 0", [&] { f->SetMaximumSamples(0); }, [&] { f->SetMaximumSamples(8); });
+  expect(
+    "SoftDimensions are 65, 1, 65", [&] { f->SetSoftDimensions(65, 1, 65); }, [&] { f->SetSoftDimensions(9, 9, 9); });
+  expect(
+    "SoftDimensions are 2000, 2000, 2000", [&] { f->SetSoftDimensions(2000, 2000, 2000); },
+    [&] { f->SetSoftDimensions(9, 9, 9); });
+  expect(
+    "NumberOfSoftLightSamples is 65537", [&] { f->SetNumberOfSoftLightSamples(65537); },
+    [&] { f->SetNumberOfSoftLightSamples(64); });
   expect(
     "Reflectance is 1.1", [&] { f->SetReflectance(1.1); }, [&] { f->SetReflectance(0.5); });
   expect(
@@ -595,7 +514,9 @@ TEST_F(ScatteringImageFilter, PrintsEveryMember)
   for (const char* name : { "Camera:", "Resolution: 12 x 10", "Mode:", "SigmaS:", "SigmaSSpectrum: nan 0.4",
          "SigmaA:", "SigmaASpectrum: (none)", "PhaseFunction:", "PhaseLobes:", "PhaseAsymmetry:", "MediumBounds:",
          "NumberOfSteps: 10", "MaximumDepth:", "IntensityThreshold:", "NumberOfLightSamples: 4",
-         "NumberOfSurfaceLightSamples:", "LightVisible: On", "Reflectance:", "ConeLength:", "Exposure:", "Seed:" })
+         "NumberOfSurfaceLightSamples:", "NumberOfEdgeSamples: 4", "RelativeErrorGoal: 0.01", "MaximumSamples: 1024",
+         "SoftDimensions: 65, 65, 65", "NumberOfSoftLightSamples: 64", "LightVisible: On",
+         "Reflectance:", "ConeLength:", "Exposure:", "Seed:" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scLightRule.h"
+
+#include "SmallMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace shadowcones;
+
+namespace
+{
+double SumOfWeights(const LightRule& rule, const Vector3& from)
+{
+  double sum = 0.0;
+  rule.ForEach(from,
+    [&](const IncidentSample& sample)
+    {
+      EXPECT_GT(sample.Weight, 0.0);
+      EXPECT_GT(sample.Distance, 0.0);
+      EXPECT_NEAR(Length(sample.Direction), 1.0, 1e-9);
+      sum += sample.Weight;
+    });
+  return sum;
+}
+
+Light RectangleLight()
+{
+  Light light;
+  light.Shape = LightShape::Rectangle;
+  light.Normal = { 0.0, -1.0, 0.0 };
+  light.AxisU = { 0.4, 0.0, 0.0 };
+  light.AxisV = { 0.0, 0.0, 0.3 };
+  return smallmeshes::Prepared(light);
+}
+} // namespace
+
+TEST(LightRule, WeightsSumToTheSolidAngle)
+{
+  const Vector3 down{ 0.0, -1.0, 0.0 };
+  for (const Light& light :
+    { smallmeshes::DiscLight({}, down, 0.5), RectangleLight(), smallmeshes::SphereLight({}, 0.4) })
+  {
+    for (const Vector3& from : { Vector3{ 0.1, -4.0, 0.2 }, Vector3{ 2.0, -0.7, 0.3 }, Vector3{ 0.2, -0.6, -0.1 } })
+    {
+      const double expected = LightSolidAngle(light, from);
+      ASSERT_GT(expected, 0.0);
+      double before = HUGE_VAL;
+      for (int level = 0; level < LightRule::NumberOfLevels; ++level)
+      {
+        const double error = std::fabs(SumOfWeights(LightRule(light, level), from) / expected - 1.0);
+        EXPECT_LT(error, before + 1e-6) << "shape " << static_cast<int>(light.Shape) << ", level " << level;
+        before = error;
+      }
+      EXPECT_LT(before, 1e-6) << "shape " << static_cast<int>(light.Shape);
+    }
+  }
+}
+
+TEST(LightRule, PointsAreOneByOne)
+{
+  const LightRule point(smallmeshes::PointLight({ 0.0, 2.0, 0.0 }), 0);
+  EXPECT_NEAR(SumOfWeights(point, {}), 0.25, 1e-12);
+
+  Light vertices;
+  vertices.Shape = LightShape::Mesh;
+  vertices.Vertices = { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 2.0 }, { -4.0, 0.0, 0.0 } };
+  const Light prepared = smallmeshes::Prepared(vertices);
+  const LightRule rule(prepared, 0);
+  int count = 0;
+  rule.ForEach({}, [&](const IncidentSample&) { ++count; });
+  EXPECT_EQ(count, 3);
+  EXPECT_NEAR(SumOfWeights(rule, {}), 1.0 + 1.0 / 4.0 + 1.0 / 16.0, 1e-12);
+}
+
+TEST(LightRule, ASunHasItsIrradiance)
+{
+  const Light sharp = smallmeshes::SunLight({ 0.0, -1.0, 0.0 }, 0.0);
+  const Light soft = smallmeshes::SunLight({ 0.0, -1.0, 0.0 }, 0.1);
+  for (const Light* sun : { &sharp, &soft })
+  {
+    EXPECT_NEAR(SumOfWeights(LightRule(*sun, 1), { 3.0, 4.0, 5.0 }), 1.0, 1e-9);
+  }
+}
+
+TEST(LightRule, NothingComesFromTheBack)
+{
+  const Light disc = smallmeshes::DiscLight({}, { 0.0, -1.0, 0.0 }, 0.5);
+  EXPECT_EQ(SumOfWeights(LightRule(disc, 0), { 0.1, 2.0, 0.0 }), 0.0);
+  EXPECT_EQ(SumOfWeights(LightRule(disc, 0), { 0.1, 0.01, 0.0 }), 0.0);
+}
+
+TEST(LightRule, ADiscHasItsRulesByAreaAndNear)
+{
+  const Light disc = smallmeshes::DiscLight({ 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 }, 0.5);
+  const int counts[LightRule::NumberOfLevels] = { 16, 36, 100, 256, 1024 };
+  for (int level = 0; level < LightRule::NumberOfLevels; ++level)
+  {
+    const LightRule rule(disc, level);
+    const LightPoints points = rule.AreaPoints();
+    EXPECT_EQ(points.Count, counts[level]);
+    double area = 0.0;
+    for (int k = 0; k < points.Count; ++k)
+    {
+      area += static_cast<double>(points.Area[k]);
+    }
+    EXPECT_NEAR(area / LightArea(disc), 1.0, 1e-5);
+    EXPECT_TRUE(rule.IsByArea({ 1.0, 1.0, 3.0 }));
+    EXPECT_FALSE(rule.IsByArea({ 1.1, 1.99, 3.0 }));
+  }
+  EXPECT_FALSE(LightRule(smallmeshes::SphereLight({}, 0.4), 0).IsByArea({ 9.0, 9.0, 9.0 }));
+}
+
+TEST(LightRule, AMeshIsCoveredByArea)
+{
+  // Two triangles as one square, 3 above.
+  Light mesh;
+  mesh.Shape = LightShape::Mesh;
+  const Vector3 corners[4] = { { -0.5, 3.0, -0.5 }, { 0.5, 3.0, -0.5 }, { 0.5, 3.0, 0.5 }, { -0.5, 3.0, 0.5 } };
+  mesh.Triangles = { { corners[0], corners[1], corners[2] }, { corners[0], corners[2], corners[3] } };
+  const Light prepared = smallmeshes::Prepared(mesh);
+  EXPECT_NEAR(SumOfWeights(LightRule(prepared, 0), {}) / LightSolidAngle(prepared, {}), 1.0, 0.005);
+  EXPECT_NEAR(SumOfWeights(LightRule(prepared, 4), {}) / LightSolidAngle(prepared, {}), 1.0, 5e-4);
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scDensityGrid.h
+ * @brief The density of an inhomogeneous medium: values on a regular grid that may be turned in space.
+ */
+#ifndef scDensityGrid_h
+#define scDensityGrid_h
+
+#include "ShadowConesCoreModule.h"
+#include "scVector3.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace shadowcones
+{
+
+/**
+ * Density relative to SigmaS and SigmaA of the medium: trilinear between grid points, 0 outside the grid. An axis with a
+ * single point is no limit: the density is constant along it.
+ */
+struct DensityGrid
+{
+  std::array<int, 3> Dimensions{ { 0, 0, 0 } };
+  std::vector<float> Values;   ///< one a point, i fastest; finite and >= 0
+  Vector3 Origin;              ///< of point (0, 0, 0), world
+  std::array<Vector3, 3> Axes; ///< world step from a point to the next along i, j and k; linearly independent
+
+  /// @name Filled by PrepareDensityGrid()
+  ///@{
+  std::array<Vector3, 3> ToIndex;                    ///< index coordinate a of x is Dot(ToIndex[a], x - Origin)
+  std::array<std::size_t, 3> Strides{ { 0, 0, 0 } }; ///< from a value to the next; 0 along an axis with a single point
+  Box Support; ///< index coordinates outside of which the density is 0; empty where it is 0 everywhere
+  ///@}
+
+  Vector3 IndexDirection(const Vector3& direction) const
+  {
+    return { Dot(this->ToIndex[0], direction), Dot(this->ToIndex[1], direction), Dot(this->ToIndex[2], direction) };
+  }
+  Vector3 IndexPoint(const Vector3& point) const { return this->IndexDirection(point - this->Origin); }
+
+  /// Trilinear value at index coordinates; those outside the grid are moved to its border.
+  double ValueAt(const Vector3& index) const;
+  /// The density at a world point.
+  double At(const Vector3& point) const
+  {
+    const Vector3 index = this->IndexPoint(point);
+    return this->Support.Contains(index) ? this->ValueAt(index) : 0.0;
+  }
+  /// Integral of the density along the ray from @p tBegin to @p tEnd: exact, cell by cell.
+  SHADOWCONESCORE_EXPORT double Integrate(
+    const Vector3& origin, const Vector3& direction, double tBegin, double tEnd) const;
+};
+
+/// Check a grid and fill what is computed once. @return nullptr, or a sentence that says what is wrong.
+SHADOWCONESCORE_EXPORT const char* PrepareDensityGrid(DensityGrid& grid);
+
+inline double DensityGrid::ValueAt(const Vector3& index) const
+{
+  std::size_t first = 0;
+  double share[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int last = this->Dimensions[static_cast<std::size_t>(axis)] - 1;
+    const double x = std::min(std::max(index[axis], 0.0), static_cast<double>(last));
+    const int cell = std::max(std::min(static_cast<int>(x), last - 1), 0);
+    share[axis] = x - cell;
+    first += static_cast<std::size_t>(cell) * this->Strides[static_cast<std::size_t>(axis)];
+  }
+  const float* v = this->Values.data() + first;
+  const std::size_t j = this->Strides[1];
+  const std::size_t k = this->Strides[2];
+  const auto alongI = [i = this->Strides[0], x = share[0]](const float* a)
+  { return static_cast<double>(a[0]) + x * (static_cast<double>(a[i]) - static_cast<double>(a[0])); };
+  const auto alongJ = [&alongI, j, y = share[1]](const float* a)
+  {
+    const double low = alongI(a);
+    return low + y * (alongI(a + j) - low);
+  };
+  const double low = alongJ(v);
+  return low + share[2] * (alongJ(v + k) - low);
+}
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scLightRule.h"
+
+#include "scGaussLegendre.h"
+
+#include <algorithm>
+
+namespace shadowcones
+{
+namespace
+{
+constexpr double twoPi = 6.28318530717958647692;
+constexpr int ringsOfLevel[LightRule::NumberOfLevels] = { 2, 3, 5, 8, 16 };
+constexpr int sideOfLevel[LightRule::NumberOfLevels] = { 4, 6, 10, 16, 32 };
+/// Point lights are taken one by one up to so many.
+constexpr std::size_t largestNumberOfVertices = 1024;
+
+/// Rules over the area are for points at least this share of the light's radius away.
+constexpr double nearShare = 0.4;
+
+/// A ring's spokes are turned by half a step against the next ring's.
+double SpokeAngle(int ring, int spoke, int spokes)
+{
+  return twoPi * (spoke + 0.5 * (ring % 2) + 0.25) / spokes;
+}
+} // anonymous namespace
+
+LightRule::LightRule(const Light& light, int level)
+  : Source(light)
+{
+  const int rings = ringsOfLevel[level];
+  switch (light.Shape)
+  {
+    case LightShape::Disc:
+      this->AddDisc(rings);
+      break;
+    case LightShape::Rectangle:
+      this->AddRectangle(sideOfLevel[level]);
+      break;
+    case LightShape::Sphere:
+    case LightShape::Sun:
+      this->AddCone(light.Radius > 0.0 ? rings : 0);
+      break;
+    case LightShape::Point:
+      this->AddPoints(1, level);
+      break;
+    case LightShape::Mesh:
+    {
+      // As many points a triangle as make some 64 in all, and twice as many at every level.
+      const double perTriangle = (64 << level) / static_cast<double>(std::max<std::size_t>(light.Triangles.size(), 1));
+      const int side = static_cast<int>(std::sqrt(perTriangle) + 0.5);
+      if (light.Triangles.empty() || side < 1)
+      {
+        this->AddPoints(light.Triangles.empty() ? light.Vertices.size() : 0, level);
+      }
+      else
+      {
+        this->AddTriangles(side);
+      }
+      break;
+    }
+  }
+  this->AddOffsets();
+}
+
+void LightRule::AddTriangles(int side)
+{
+  // A product of two Gauss rules on the square, one side of which is drawn together to a corner (Duffy 1982).
+  const GaussLegendre rule(side);
+  for (const auto& triangle : this->Source.Triangles)
+  {
+    const Vector3 u = triangle[1] - triangle[0];
+    const Vector3 v = triangle[2] - triangle[1];
+    const Vector3 normal = Cross(u, v);
+    for (int i = 0; i < side; ++i)
+    {
+      for (int j = 0; j < side; ++j)
+      {
+        const double x = rule.Nodes[i];
+        this->Places.push_back({ triangle[0] + x * u + x * rule.Nodes[j] * v, Normalized(normal),
+          Length(normal) * x * rule.Weights[i] * rule.Weights[j] });
+      }
+    }
+  }
+}
+
+void LightRule::SetNear(double radius)
+{
+  this->Radius = radius;
+  this->Near = nearShare * radius;
+  this->BesideSquared = (1.0 + nearShare) * (1.0 + nearShare) * radius * radius;
+}
+
+void LightRule::AddOffsets()
+{
+  double radius = 0.0;
+  LightBoundingSphere(this->Source, this->Middle, radius);
+  for (int component = 0; component < 7; ++component)
+  {
+    for (const Place& place : this->Places)
+    {
+      const Vector3 offset = place.Position - this->Middle;
+      this->Offsets.push_back(static_cast<float>(
+        component < 3 ? offset[component] : (component < 6 ? place.Normal[component - 3] : place.Area)));
+    }
+  }
+}
+
+void LightRule::AddDisc(int rings)
+{
+  const GaussLegendre rule(rings);
+  const Light& light = this->Source;
+  const Frame frame = FrameAround(light.Normal);
+  const int spokes = 4 * rings;
+  const double area = LightArea(light);
+  this->SetNear(light.Radius);
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const double radius = light.Radius * std::sqrt(rule.Nodes[ring]);
+    for (int spoke = 0; spoke < spokes; ++spoke)
+    {
+      const double angle = SpokeAngle(ring, spoke, spokes);
+      this->Places.push_back({ light.Center + radius * (std::cos(angle) * frame.U + std::sin(angle) * frame.V),
+        light.Normal, area * rule.Weights[ring] / spokes });
+      // The radial map of the spherical ellipse: u runs around, v outwards.
+      this->Shares.push_back({ angle / twoPi - std::floor(angle / twoPi), rule.Nodes[ring], rule.Weights[ring] / spokes });
+    }
+  }
+}
+
+void LightRule::AddRectangle(int side)
+{
+  const GaussLegendre rule(side);
+  const Light& light = this->Source;
+  const double area = LightArea(light);
+  this->SetNear(std::sqrt(Dot(light.AxisU, light.AxisU) + Dot(light.AxisV, light.AxisV)));
+  for (int i = 0; i < side; ++i)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      const double weight = rule.Weights[i] * rule.Weights[j];
+      this->Places.push_back({ light.Center + (2.0 * rule.Nodes[i] - 1.0) * light.AxisU +
+          (2.0 * rule.Nodes[j] - 1.0) * light.AxisV,
+        light.Normal, area * weight });
+      this->Shares.push_back({ rule.Nodes[i], rule.Nodes[j], weight });
+    }
+  }
+}
+
+void LightRule::AddCone(int rings)
+{
+  if (rings == 0)
+  {
+    this->Shares.push_back({ 0.5, 0.5, 1.0 });
+    return;
+  }
+  // Cones are sampled through the concentric map: its inverse takes the rings' points back to the square.
+  Light disc;
+  disc.Radius = 1.0;
+  const Frame frame = FrameAround(disc.Normal);
+  const GaussLegendre rule(rings);
+  const int spokes = 4 * rings;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const double radius = std::sqrt(rule.Nodes[ring]);
+    for (int spoke = 0; spoke < spokes; ++spoke)
+    {
+      const double angle = SpokeAngle(ring, spoke, spokes);
+      const auto uv = InvertLightArea(disc, radius * (std::cos(angle) * frame.U + std::sin(angle) * frame.V));
+      this->Shares.push_back({ uv[0], uv[1], rule.Weights[ring] / spokes });
+    }
+  }
+}
+
+void LightRule::AddPoints(std::size_t vertices, int level)
+{
+  if (vertices > 0 && vertices <= largestNumberOfVertices)
+  {
+    for (std::size_t k = 0; k < vertices; ++k)
+    {
+      this->Shares.push_back({ (k + 0.5) / vertices, 0.5, 1.0 / vertices });
+    }
+    return;
+  }
+  // A lattice by the golden ratio covers any list of triangles evenly.
+  const int count = 256 << level;
+  for (int k = 0; k < count; ++k)
+  {
+    const double turns = 0.61803398874989485 * k;
+    const double v = turns - std::floor(turns);
+    if (vertices > 0)
+    {
+      this->Shares.push_back({ (k + 0.5) / count, v, 1.0 / count });
+      continue;
+    }
+    const LightSurfaceSample sample = SampleLightArea(this->Source, (k + 0.5) / count, v);
+    this->Places.push_back({ sample.Position, sample.Normal, LightArea(this->Source) / count });
+  }
+}
+
+} // namespace shadowcones

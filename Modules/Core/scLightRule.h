@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scLightRule.h
+ * @brief Deterministic quadrature over the light as a point sees it, for light that nothing blocks. Internal to Core.
+ */
+#ifndef scLightRule_h
+#define scLightRule_h
+
+#include "scLight.h"
+#include "scLightSampler.h"
+#include "scLitKernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace shadowcones
+{
+
+/**
+ * Discs: Gauss rings in r^2 by even spokes; rectangles: products of Gauss rules; both over their area, and over their
+ * solid angle where the point is near. Spheres and Suns: rings of their cone. Meshes: Gauss rules over each triangle, or
+ * a lattice over the area of many; their vertices one by one. Built once, used from any number of threads; the light must outlive it.
+ */
+class LightRule
+{
+public:
+  static constexpr int NumberOfLevels = 5;
+  /// @param level 0..4: 16 points of a disc or rectangle, then 36, 100, 256 and 1,024; 256 to 4,096 of a mesh of many
+  /// triangles.
+  LightRule(const Light& light, int level);
+
+  int Count() const { return static_cast<int>(std::max(this->Shares.size(), this->Places.size())); }
+
+  /// By points on the light's faces: always for meshes, for discs and rectangles that are far enough away.
+  bool IsByArea(const Vector3& from) const
+  {
+    if (this->Places.empty() || this->Shares.empty())
+    {
+      return !this->Places.empty();
+    }
+    // At least so far above its plane or beside the circle around it.
+    const Vector3 offset = from - this->Source.Center;
+    const double height = Dot(offset, this->Source.Normal);
+    return std::fabs(height) > this->Near || Dot(offset, offset) > height * height + this->BesideSquared;
+  }
+  /// Levels to add to this rule at a point: the nearer a disc or rectangle, the more of its points are needed.
+  int LevelsNearer(const Vector3& from) const
+  {
+    if (this->Places.empty() || this->Shares.empty())
+    {
+      return 0;
+    }
+    const Vector3 offset = from - this->Source.Center;
+    const double squared = Dot(offset, offset) / (this->Radius * this->Radius);
+    // By solid angle only attenuation and scattering vary over the light, and few points do again.
+    return squared > 4.0 || !this->IsByArea(from) ? 0 : (squared > 1.0 ? 1 : 2);
+  }
+  /// The points of the rule by area about Center(); none for other lights.
+  LightPoints AreaPoints() const
+  {
+    const std::size_t count = this->Places.size();
+    const float* x = this->Offsets.data();
+    return { x, x + count, x + 2 * count, x + 3 * count, x + 4 * count, x + 5 * count, x + 6 * count,
+      static_cast<int>(count) };
+  }
+  const Vector3& Center() const { return this->Middle; }
+
+  /// Call visit(const IncidentSample&) for every point of the rule; the weights' sum is the light's solid angle.
+  template <typename Visitor>
+  void ForEach(const Vector3& from, Visitor&& visit) const
+  {
+    if (this->IsByArea(from))
+    {
+      for (const Place& place : this->Places)
+      {
+        const Vector3 to = place.Position - from;
+        const double squared = Dot(to, to);
+        const double inverse = 1.0 / std::sqrt(squared);
+        const double cosine = -Dot(to, place.Normal) * inverse;
+        if (cosine > 0.0)
+        {
+          visit(IncidentSample{ inverse * to, squared * inverse, place.Area * cosine / squared });
+        }
+      }
+      return;
+    }
+    LightSampler sampler(this->Source, LightSampling::SolidAngle);
+    sampler.MoveTo(from);
+    for (const Share& share : this->Shares)
+    {
+      IncidentSample sample = sampler.Sample(share.U, share.V);
+      sample.Weight *= share.Weight;
+      if (sample.Weight > 0.0)
+      {
+        visit(sample);
+      }
+    }
+  }
+
+private:
+  struct Place
+  {
+    Vector3 Position;
+    Vector3 Normal;
+    double Area;
+  };
+  struct Share
+  {
+    double U;
+    double V;
+    double Weight; ///< all sum to 1
+  };
+  void AddDisc(int rings);
+  void AddRectangle(int side);
+  void AddCone(int rings);
+  void AddTriangles(int side);
+  void AddPoints(std::size_t vertices, int level);
+  void AddOffsets();
+  void SetNear(double radius);
+
+  const Light& Source;
+  std::vector<Place> Places;  ///< Disc, Rectangle and Mesh, by area
+  std::vector<float> Offsets; ///< of Places from the centre, their normals and areas, component by component
+  std::vector<Share> Shares;  ///< the others, and where Places are near
+  Vector3 Middle;             ///< of Places
+  double Radius = 1.0;        ///< of the circle around a disc or rectangle
+  double Near = 0.0;          ///< nearer than this: by solid angle
+  double BesideSquared = 0.0; ///< squared radius of the circle, with a margin
+};
+
+} // namespace shadowcones
+
+#endif

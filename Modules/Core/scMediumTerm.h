@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scMediumTerm.h
+ * @brief The medium term of a scattering image, tile by tile. Internal to Core.
+ */
+#ifndef scMediumTerm_h
+#define scMediumTerm_h
+
+#include "scLitMinusBlocked.h"
+#include "scPrimaryHits.h"
+#include "scRayMarcher.h"
+#include "scTileRange.h"
+
+namespace shadowcones
+{
+
+/// Writes "InScattering", "RelativeError" and "SampleCount" of an image; one a thread.
+class MediumTerm
+{
+public:
+  /// @param lit what Guided, Soft and Volume share, nullptr for the others. Everything is referred to and must outlive the term; the image's arrays have their size.
+  MediumTerm(const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups,
+    const LightStrata& strata, const LitMinusBlockedScene* lit, const PrimaryHits& hits, ScatteringImage& image);
+
+  /// Tiles of this side are rendered at once: small ones where nothing is shared, so that an abort is served soon.
+  static int TileSide(ScatteringMode mode);
+
+  /// @p tile lies inside the extent, aligned to pixel (0, 0) of the whole image.
+  void RenderTile(const TileRange& tile);
+
+  vtkIdType NumberOfOcclusionRays() const
+  {
+    return this->OcclusionRays + (this->Difference ? this->Difference->NumberOfOcclusionRays() : 0);
+  }
+
+private:
+  void MarchTile(const TileRange& tile);
+  void WriteMarch(std::size_t index);
+
+  const ScatteringScene& Scene;
+  const ScatteringOptions& Options;
+  const ExtinctionGroups& Groups;
+  const LightStrata& Strata;
+  const PrimaryHits& Hits;
+  ScatteringImage& Image;
+  const MarchScene March;
+  RayMarcher Marcher;
+  std::unique_ptr<LitMinusBlocked> Difference; ///< Guided, Soft, Volume
+  vtkIdType OcclusionRays = 0;
+};
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scTileRange.h
+ * @brief Tiles of an image that lie at the same place in every part of it. Internal to Core.
+ */
+#ifndef scTileRange_h
+#define scTileRange_h
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace shadowcones
+{
+
+/// Pixels of the whole image, both ends inclusive.
+struct TileRange
+{
+  int I0 = 0;
+  int I1 = -1;
+  int J0 = 0;
+  int J1 = -1;
+};
+
+/// The extent (i from, to, j from, to, inclusive) cut along multiples of @p side, counted from pixel (0, 0).
+inline std::vector<TileRange> TilesOf(const std::array<int, 4>& extent, int side)
+{
+  std::vector<TileRange> tiles;
+  for (int j = extent[2] / side * side; j <= extent[3]; j += side)
+  {
+    for (int i = extent[0] / side * side; i <= extent[1]; i += side)
+    {
+      tiles.push_back({ std::max(i, extent[0]), std::min(i + side - 1, extent[1]), std::max(j, extent[2]),
+        std::min(j + side - 1, extent[3]) });
+    }
+  }
+  return tiles;
+}
+
+} // namespace shadowcones
+
+#endif

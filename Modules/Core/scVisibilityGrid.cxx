@@ -1,0 +1,548 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scVisibilityGrid.h"
+
+#include "scConeIntervals.h"
+#include "scLightPatterns.h"
+#include "scSurfelVisibility.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bitset>
+#include <cmath>
+#include <memory>
+
+namespace shadowcones
+{
+namespace
+{
+/// Where in a cell, or brick, a coordinate lies: the vertex before it and the share of the way to the next one.
+struct Place
+{
+  int Index;
+  double Share;
+
+  Place(double coordinate, int vertices)
+    : Index(std::clamp(static_cast<int>(coordinate), 0, vertices - 2))
+    , Share(std::clamp(coordinate - this->Index, 0.0, 1.0))
+  {
+  }
+};
+
+/// @param values of a grid with @p nx, @p ny vertices along x and y.
+double Trilinear(const float* values, std::size_t nx, std::size_t ny, const Place& x, const Place& y, const Place& z)
+{
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int i = corner & 1;
+    const int j = (corner >> 1) & 1;
+    const int k = corner >> 2;
+    const std::size_t at = (static_cast<std::size_t>(z.Index + k) * ny + static_cast<std::size_t>(y.Index + j)) * nx +
+      static_cast<std::size_t>(x.Index + i);
+    sum += values[at] * (i ? x.Share : 1.0 - x.Share) * (j ? y.Share : 1.0 - y.Share) * (k ? z.Share : 1.0 - z.Share);
+  }
+  return sum;
+}
+
+/// The whole shadow of a base disc; of a disc next to the light, as wide as can be.
+Cone WidePenumbraOf(const Cone& disc, const Light& light, const LightExtent& extent)
+{
+  constexpr double widest = 1.5;
+  Cone penumbra;
+  if (!PenumbraOf(disc, light, extent, penumbra))
+  {
+    penumbra.HalfAngle = widest;
+  }
+  return penumbra;
+}
+
+int CountBits(std::uint64_t word)
+{
+  return static_cast<int>(std::bitset<64>(word).count());
+}
+
+/// Asks for the visible fraction at points anywhere, whether a cone holds them or not.
+class Sampler
+{
+public:
+  Sampler(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene, const Box& bounds,
+    const VisibilityGridOptions& options)
+    : Patterns(light, options.NumberOfLightSamples, options.Seed)
+    , Scene(scene)
+    , AtInfinity(IsAtInfinity(light))
+  {
+    if (options.Method == VisibilityMethod::Soft)
+    {
+      VisibilityOptions soft;
+      soft.Method = VisibilityMethod::Soft;
+      soft.NumberOfLightSamples = options.NumberOfLightSamples;
+      soft.Seed = options.Seed;
+      this->Discs = std::make_unique<VisibilityProbe>(cones, light, nullptr, bounds, soft);
+    }
+  }
+
+  /// @return false, with nothing changed, where the light does not emit towards the point. @p rays grows by those sent.
+  bool Ask(const Vector3& point, float& fraction, ShadowClass& shadow, vtkIdType& rays) const
+  {
+    if (this->Discs)
+    {
+      const PointVisibility soft = this->Discs->At(point);
+      if (!(soft.Fraction > 0.0) && !this->Emits(point))
+      {
+        return false;
+      }
+      fraction = static_cast<float>(soft.Fraction);
+      shadow = soft.Class;
+      return true;
+    }
+    thread_local LightView view;
+    this->Patterns.LookFrom(point, view);
+    int open = 0;
+    int hidden = 0;
+    for (std::size_t block = 0; block < view.Open.size(); ++block)
+    {
+      const std::size_t first = 64 * block;
+      const std::uint64_t wanted = view.Open[block];
+      open += CountBits(wanted);
+      hidden += this->Scene ? CountBits(this->Scene->OccludedFrom(point, view.X.data() + first, view.Y.data() + first,
+                                view.Z.data() + first, wanted, this->AtInfinity))
+                            : 0;
+    }
+    if (open == 0)
+    {
+      return false;
+    }
+    rays += this->Scene ? open : 0;
+    fraction = static_cast<float>(static_cast<double>(open - hidden) / open);
+    shadow = hidden == 0 ? ShadowClass::Lit : (hidden == open ? ShadowClass::Umbra : ShadowClass::Penumbra);
+    return true;
+  }
+
+private:
+  /// Does the light send anything towards the point?
+  bool Emits(const Vector3& point) const
+  {
+    thread_local LightView view;
+    if (this->Patterns.IsWholeFrom(point))
+    {
+      return true;
+    }
+    this->Patterns.LookFrom(point, view);
+    return std::any_of(view.Open.begin(), view.Open.end(), [](std::uint64_t word) { return word != 0; });
+  }
+
+  LightPatterns Patterns;
+  const OccluderScene* Scene;
+  bool AtInfinity;
+  std::unique_ptr<VisibilityProbe> Discs; ///< Soft
+};
+
+/// A cube inside a brick: its first corner in the brick's own grid. Its side is that of all cubes of the same round.
+struct Part
+{
+  std::size_t Brick;
+  std::array<int, 3> Corner;
+};
+
+/// Call visit(a, b, c) for every point of a cube of that side, @p step apart.
+template <typename Visitor>
+void ForEachPoint(const std::array<int, 3>& corner, int side, int step, Visitor&& visit)
+{
+  for (int c = corner[2]; c <= corner[2] + side; c += step)
+  {
+    for (int b = corner[1]; b <= corner[1] + side; b += step)
+    {
+      for (int a = corner[0]; a <= corner[0] + side; a += step)
+      {
+        visit(a, b, c);
+      }
+    }
+  }
+}
+
+/// What collect(k, found) finds in layers first..last - 1, in their order. @return false where aborted.
+template <typename Collector>
+bool CollectLayers(int first, int last, const Monitor& monitor, const Collector& collect, std::vector<vtkIdType>& all)
+{
+  std::vector<std::vector<vtkIdType>> found(static_cast<std::size_t>(std::max(0, last - first)));
+  if (!ParallelFor(static_cast<vtkIdType>(found.size()), monitor,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType layer = begin; layer < end; ++layer)
+          {
+            collect(first + static_cast<int>(layer), found[static_cast<std::size_t>(layer)]);
+          }
+        }))
+  {
+    return false;
+  }
+  for (const std::vector<vtkIdType>& layer : found)
+  {
+    all.insert(all.end(), layer.begin(), layer.end());
+  }
+  return true;
+}
+
+/// The steps of FillVisibilityGrid.
+class Filler
+{
+public:
+  Filler(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene, const Box& bounds,
+    const VisibilityGridOptions& options, VisibilityGrid& grid)
+    : Cones(cones)
+    , Source(light)
+    , Options(options)
+    , Grid(grid)
+    , Asked(cones, light, scene, bounds, options)
+  {
+    grid = {};
+    grid.Dimensions = options.Dimensions;
+    grid.Origin = bounds.Min;
+    const Vector3 size = bounds.Size();
+    grid.Spacing = { size.X / (options.Dimensions[0] - 1), size.Y / (options.Dimensions[1] - 1),
+      size.Z / (options.Dimensions[2] - 1) };
+    const std::size_t count = grid.VertexIndex(0, 0, options.Dimensions[2]);
+    grid.Visibility.assign(count, 1.0f);
+    grid.ShadowClasses.assign(count, static_cast<unsigned char>(ShadowClass::Lit));
+    grid.Marked.assign(count, 0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool all = options.Extent[2 * axis] > options.Extent[2 * axis + 1];
+      this->First[axis] = all ? 0 : std::max(0, options.Extent[2 * axis]);
+      this->Last[axis] =
+        all ? options.Dimensions[axis] - 1 : std::min(options.Dimensions[axis] - 1, options.Extent[2 * axis + 1]);
+    }
+  }
+
+  bool Fill(const Box& bounds, const Monitor& monitor)
+  {
+    return this->Mark(bounds, monitor.Part(0.0, 0.1)) && this->FillVertices(monitor.Part(0.1, 0.5)) &&
+      (this->Options.BrickParts < 2 || this->FillBricks(monitor.Part(0.5, 1.0)));
+  }
+
+private:
+  bool Mark(const Box& bounds, const Monitor& monitor);
+  bool FillVertices(const Monitor& monitor);
+  bool FillBricks(const Monitor& monitor);
+  bool FindBricks(const Monitor& monitor, std::vector<Part>& parts);
+  bool NeedsBrick(int i, int j, int k) const;
+  bool AskInside(const std::vector<Part>& parts, int step, int smaller, const Monitor& monitor);
+  void Split(const std::vector<Part>& parts, int step, int smaller, std::vector<Part>& unresolved);
+  std::array<vtkIdType, 3> CellAt(vtkIdType cell) const
+  {
+    const vtkIdType nx = this->Grid.Dimensions[0] - 1;
+    const vtkIdType ny = this->Grid.Dimensions[1] - 1;
+    return { cell % nx, cell / nx % ny, cell / nx / ny };
+  }
+  /// The value at a place of a brick's own grid.
+  float& BrickValue(std::size_t brick, int a, int b, int c)
+  {
+    const auto side = static_cast<std::size_t>(this->Grid.BrickParts) + 1;
+    const std::size_t row = (brick * side + static_cast<std::size_t>(c)) * side + static_cast<std::size_t>(b);
+    return this->Grid.BrickVisibility[row * side + static_cast<std::size_t>(a)];
+  }
+
+  const std::vector<Cone>& Cones;
+  const Light& Source;
+  const VisibilityGridOptions& Options;
+  VisibilityGrid& Grid;
+  Sampler Asked;
+  std::array<int, 3> First{};
+  std::array<int, 3> Last{};
+};
+
+bool Filler::Mark(const Box& bounds, const Monitor& monitor)
+{
+  // Cones thinner than a cell are widened until they hold a vertex of every cell they pass.
+  const double least = 0.5 * Length(this->Grid.Spacing);
+  const LightExtent extent = LightExtentOf(this->Source);
+  std::vector<Cone> reach;
+  for (const Cone& cone : this->Cones)
+  {
+    reach.push_back(this->Options.Method == VisibilityMethod::Soft ? WidePenumbraOf(cone, this->Source, extent) : cone);
+    reach.back().BaseRadius = std::max(reach.back().BaseRadius, least);
+  }
+  // Vertices on the faces of the box belong to it, whatever the rounding.
+  const Vector3 margin = 0.5 * this->Grid.Spacing;
+  const ConeHierarchy hierarchy(reach, { bounds.Min - margin, bounds.Max + margin });
+  std::vector<unsigned char>& marks = this->Grid.Marked;
+  if (!hierarchy.MarkGrid(this->Grid.Origin, this->Grid.Spacing, this->Grid.Dimensions, monitor, marks.data()))
+  {
+    return false;
+  }
+  // A vertex next to a cone belongs to a cell that the cone reaches: one more along each axis.
+  std::vector<unsigned char> wide;
+  std::size_t stride = 1;
+  for (const int dimension : this->Grid.Dimensions)
+  {
+    wide = marks;
+    const std::size_t line = stride * static_cast<std::size_t>(dimension);
+    for (std::size_t begin = 0; begin < marks.size(); begin += line)
+    {
+      for (std::size_t id = begin; id + stride < begin + line; ++id)
+      {
+        wide[id] |= marks[id + stride];
+        wide[id + stride] |= marks[id];
+      }
+    }
+    marks.swap(wide);
+    stride = line;
+  }
+  return true;
+}
+
+bool Filler::FillVertices(const Monitor& monitor)
+{
+  VisibilityGrid& grid = this->Grid;
+  const int nx = grid.Dimensions[0];
+  const int ny = grid.Dimensions[1];
+  std::vector<vtkIdType> wanted;
+  const auto collect = [&](int k, std::vector<vtkIdType>& found)
+  {
+    for (int j = 0; j < ny; ++j)
+    {
+      for (int i = 0; i < nx; ++i)
+      {
+        const std::size_t id = grid.VertexIndex(i, j, k);
+        const bool inside = i >= this->First[0] && i <= this->Last[0] && j >= this->First[1] && j <= this->Last[1] &&
+          k >= this->First[2] && k <= this->Last[2];
+        grid.Marked[id] = inside ? grid.Marked[id] : 0;
+        if (grid.Marked[id])
+        {
+          found.push_back(static_cast<vtkIdType>(id));
+        }
+      }
+    }
+  };
+  if (!CollectLayers(0, grid.Dimensions[2], monitor.Part(0.0, 0.05), collect, wanted))
+  {
+    return false;
+  }
+  std::atomic<vtkIdType> sent{ 0 };
+  const bool done = ParallelFor(static_cast<vtkIdType>(wanted.size()), monitor.Part(0.05, 1.0),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType rays = 0;
+      for (vtkIdType w = begin; w < end; ++w)
+      {
+        const auto id = static_cast<std::size_t>(wanted[static_cast<std::size_t>(w)]);
+        const auto i = static_cast<int>(id % nx);
+        const auto j = static_cast<int>(id / nx % ny);
+        const auto k = static_cast<int>(id / nx / ny);
+        ShadowClass shadow = ShadowClass::Lit;
+        grid.Marked[id] = this->Asked.Ask(grid.Vertex(i, j, k), grid.Visibility[id], shadow, rays) ? 1 : 0;
+        grid.ShadowClasses[id] = static_cast<unsigned char>(shadow);
+      }
+      sent += rays;
+    });
+  grid.NumberOfOcclusionRays += sent;
+  return done;
+}
+
+bool Filler::NeedsBrick(int i, int j, int k) const
+{
+  float least = 1.0f;
+  float most = 0.0f;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const std::size_t id = this->Grid.VertexIndex(i + (corner & 1), j + ((corner >> 1) & 1), k + (corner >> 2));
+    if (!this->Grid.Marked[id])
+    {
+      return false;
+    }
+    least = std::min(least, this->Grid.Visibility[id]);
+    most = std::max(most, this->Grid.Visibility[id]);
+  }
+  return most - least > this->Options.RefinementThreshold;
+}
+
+/// List the cells to be refined, with the corners of their bricks; each brick is one part.
+bool Filler::FindBricks(const Monitor& monitor, std::vector<Part>& parts)
+{
+  VisibilityGrid& grid = this->Grid;
+  const auto collect = [&](int k, std::vector<vtkIdType>& found)
+  {
+    for (int j = this->First[1]; j < this->Last[1]; ++j)
+    {
+      for (int i = this->First[0]; i < this->Last[0]; ++i)
+      {
+        if (this->NeedsBrick(i, j, k))
+        {
+          found.push_back(grid.CellIndex(i, j, k));
+        }
+      }
+    }
+  };
+  if (!CollectLayers(this->First[2], this->Last[2], monitor, collect, grid.BrickCells))
+  {
+    return false;
+  }
+  if (grid.BrickCells.empty())
+  {
+    return true;
+  }
+  const int side = this->Options.BrickParts;
+  const auto values = static_cast<std::size_t>(side) + 1;
+  grid.BrickParts = side;
+  grid.BrickVisibility.resize(grid.BrickCells.size() * values * values * values);
+  for (std::size_t brick = 0; brick < grid.BrickCells.size(); ++brick)
+  {
+    const auto [i, j, k] = this->CellAt(grid.BrickCells[brick]);
+    parts.push_back({ brick, { 0, 0, 0 } });
+    ForEachPoint({ 0, 0, 0 }, side, side,
+      [&, i = i, j = j, k = k](int a, int b, int c)
+      {
+        this->BrickValue(brick, a, b, c) = grid.Visibility[grid.VertexIndex(
+          static_cast<int>(i) + a / side, static_cast<int>(j) + b / side, static_cast<int>(k) + c / side)];
+      });
+  }
+  return true;
+}
+
+/// Ask at the points inside cubes of side @p step that are @p smaller apart, once where several share one.
+bool Filler::AskInside(const std::vector<Part>& parts, int step, int smaller, const Monitor& monitor)
+{
+  VisibilityGrid& grid = this->Grid;
+  const int side = grid.BrickParts;
+  const vtkIdType nx = static_cast<vtkIdType>(grid.Dimensions[0] - 1) * side + 1;
+  const vtkIdType ny = static_cast<vtkIdType>(grid.Dimensions[1] - 1) * side + 1;
+  const auto forEachPoint = [&](const auto& visit)
+  {
+    for (const Part& part : parts)
+    {
+      const auto [i, j, k] = this->CellAt(grid.BrickCells[part.Brick]);
+      const vtkIdType first = i * side + nx * (j * side + ny * (k * side));
+      ForEachPoint(part.Corner, step, smaller,
+        [&](int a, int b, int c)
+        {
+          const bool corner =
+            (a - part.Corner[0]) % step == 0 && (b - part.Corner[1]) % step == 0 && (c - part.Corner[2]) % step == 0;
+          if (!corner)
+          {
+            visit(first + a + nx * (b + ny * c), this->BrickValue(part.Brick, a, b, c));
+          }
+        });
+    }
+  };
+
+  std::vector<vtkIdType> points;
+  forEachPoint([&](vtkIdType point, float&) { points.push_back(point); });
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<float> values(points.size(), 1.0f);
+  std::atomic<vtkIdType> sent{ 0 };
+  const bool done = ParallelFor(static_cast<vtkIdType>(points.size()), monitor,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType rays = 0;
+      ShadowClass shadow = ShadowClass::Lit;
+      for (vtkIdType p = begin; p < end; ++p)
+      {
+        const vtkIdType point = points[static_cast<std::size_t>(p)];
+        const Vector3 place{ grid.Spacing.X * (static_cast<double>(point % nx) / side),
+          grid.Spacing.Y * (static_cast<double>(point / nx % ny) / side),
+          grid.Spacing.Z * (static_cast<double>(point / nx / ny) / side) };
+        this->Asked.Ask(grid.Origin + place, values[static_cast<std::size_t>(p)], shadow, rays);
+      }
+      sent += rays;
+    });
+  forEachPoint(
+    [&](vtkIdType point, float& value) {
+      value = values[static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), point) - points.begin())];
+    });
+  grid.NumberOfOcclusionRays += sent;
+  return done;
+}
+
+/// Cut cubes of side @p step into those of side @p smaller, filled from their corners; list those that need more.
+void Filler::Split(const std::vector<Part>& parts, int step, int smaller, std::vector<Part>& unresolved)
+{
+  unresolved.clear();
+  for (const Part& part : parts)
+  {
+    ForEachPoint(part.Corner, step - smaller, smaller,
+      [&](int a0, int b0, int c0)
+      {
+        float corners[8];
+        float* corner = corners;
+        ForEachPoint({ a0, b0, c0 }, smaller, smaller,
+          [&](int a, int b, int c) { *corner++ = this->BrickValue(part.Brick, a, b, c); });
+        const auto range = std::minmax_element(corners, corners + 8);
+        if (*range.second - *range.first > this->Options.RefinementThreshold)
+        {
+          unresolved.push_back({ part.Brick, { a0, b0, c0 } });
+        }
+        const auto share = [smaller](int from, int to) { return Place(static_cast<double>(to - from) / smaller, 2); };
+        ForEachPoint({ a0, b0, c0 }, smaller, 1,
+          [&](int a, int b, int c)
+          {
+            this->BrickValue(part.Brick, a, b, c) =
+              static_cast<float>(Trilinear(corners, 2, 2, share(a0, a), share(b0, b), share(c0, c)));
+          });
+      });
+  }
+}
+
+bool Filler::FillBricks(const Monitor& monitor)
+{
+  std::vector<Part> parts;
+  std::vector<Part> unresolved;
+  if (!this->FindBricks(monitor.Part(0.0, 0.05), parts))
+  {
+    return false;
+  }
+  // In halves, as long as the number of parts allows, so that points are asked for where values change only.
+  double from = 0.05;
+  for (int step = this->Options.BrickParts; step > 1 && !parts.empty();)
+  {
+    const int smaller = step % 2 == 0 ? step / 2 : 1;
+    const double to = smaller == 1 ? 1.0 : 0.5 * (from + 1.0);
+    if (!this->AskInside(parts, step, smaller, monitor.Part(from, to)))
+    {
+      return false;
+    }
+    this->Split(parts, step, smaller, unresolved);
+    parts.swap(unresolved);
+    step = smaller;
+    from = to;
+  }
+  return true;
+}
+} // anonymous namespace
+
+double VisibilityAt(const VisibilityGrid& grid, const Vector3& point)
+{
+  double at[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    at[axis] = (point[axis] - grid.Origin[axis]) / grid.Spacing[axis];
+    if (!(at[axis] >= 0.0 && at[axis] <= grid.Dimensions[axis] - 1))
+    {
+      return 1.0;
+    }
+  }
+  const Place x(at[0], grid.Dimensions[0]);
+  const Place y(at[1], grid.Dimensions[1]);
+  const Place z(at[2], grid.Dimensions[2]);
+  const vtkIdType cell = grid.CellIndex(x.Index, y.Index, z.Index);
+  const auto found = std::lower_bound(grid.BrickCells.begin(), grid.BrickCells.end(), cell);
+  if (found == grid.BrickCells.end() || *found != cell)
+  {
+    return Trilinear(grid.Visibility.data(), static_cast<std::size_t>(grid.Dimensions[0]),
+      static_cast<std::size_t>(grid.Dimensions[1]), x, y, z);
+  }
+  const auto side = static_cast<std::size_t>(grid.BrickParts) + 1;
+  const float* brick =
+    grid.BrickVisibility.data() + static_cast<std::size_t>(found - grid.BrickCells.begin()) * side * side * side;
+  const int vertices = grid.BrickParts + 1;
+  return Trilinear(brick, side, side, Place(x.Share * grid.BrickParts, vertices),
+    Place(y.Share * grid.BrickParts, vertices), Place(z.Share * grid.BrickParts, vertices));
+}
+
+bool FillVisibilityGrid(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene,
+  const Box& bounds, const VisibilityGridOptions& options, const Monitor& monitor, VisibilityGrid& grid)
+{
+  return Filler(cones, light, scene, bounds, options, grid).Fill(bounds, monitor);
+}
+
+} // namespace shadowcones

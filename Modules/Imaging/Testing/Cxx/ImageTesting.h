@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ImageTesting.h
+ * @brief A small lit scene for tests of vtkScatteringImageFilter, and what they ask of its images.
+ */
+#ifndef ImageTesting_h
+#define ImageTesting_h
+
+#include "vtkScatteringImageFilter.h"
+
+#include "scAdapters.h"
+#include "vtkAreaLightSource.h"
+#include "vtkVisibilityVolume.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRegularPolygonSource.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace imagetesting
+{
+
+constexpr int width = 12;
+constexpr int height = 10;
+constexpr const char* arrays[] = { "Radiance", "InScattering", "SurfaceRadiance", "Transmittance", "Depth",
+  "RelativeError", "SampleCount", "RGB" };
+constexpr int allModes[] = { vtkScatteringImageFilter::BruteForce, vtkScatteringImageFilter::Medium,
+  vtkScatteringImageFilter::Fast, vtkScatteringImageFilter::Guided, vtkScatteringImageFilter::Soft,
+  vtkScatteringImageFilter::Volume };
+
+inline vtkSmartPointer<vtkPolyData> Plane(const double origin[3], const double u[3], const double v[3])
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(origin[0], origin[1], origin[2]);
+  plane->SetPoint1(origin[0] + u[0], origin[1] + u[1], origin[2] + u[2]);
+  plane->SetPoint2(origin[0] + v[0], origin[1] + v[1], origin[2] + v[2]);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+/// A tilted plate over a floor.
+inline vtkSmartPointer<vtkPolyData> PlateAndFloor()
+{
+  const double plate[3][3] = { { -0.7, 0.1, -0.5 }, { 1.2, 0.3, 0.0 }, { 0.0, 0.1, 1.1 } };
+  const double floor[3][3] = { { -2.0, -1.9, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 4.0 } };
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(Plane(plate[0], plate[1], plate[2]));
+  append->AddInputData(Plane(floor[0], floor[1], floor[2]));
+  append->Update();
+  return append->GetOutput();
+}
+
+/// One cone that holds all of the plate's shadow.
+inline vtkSmartPointer<vtkPolyData> BoundingCone()
+{
+  shadowcones::Cone cone;
+  cone.Center = { -0.1, 0.9, 0.0 };
+  cone.Axis = { 0.0, -1.0, 0.0 };
+  cone.Normal = cone.Axis;
+  cone.BaseRadius = 1.5;
+  cone.HalfAngle = std::atan(2.0 / 1.1);
+  cone.OccluderId = 0;
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  shadowcones::WriteConeSet({ cone }, output);
+  return output;
+}
+
+constexpr double discRadius = 0.6;
+constexpr double discHeight = 0.5;
+constexpr double lampHeight = 2.0;
+constexpr double lampRadius = 0.4;
+
+/// A round plate under the lamp.
+inline vtkSmartPointer<vtkPolyData> Disc()
+{
+  vtkNew<vtkRegularPolygonSource> disc;
+  disc->SetNumberOfSides(200);
+  disc->SetRadius(discRadius);
+  disc->SetCenter(0.0, discHeight, 0.0);
+  disc->SetNormal(0.0, 1.0, 0.0);
+  disc->Update();
+  return disc->GetOutput();
+}
+
+/// The cone that holds all of the disc's shadow and has the disc for its base.
+inline vtkSmartPointer<vtkPolyData> DiscCone()
+{
+  shadowcones::Cone cone;
+  cone.Center = { 0.0, discHeight, 0.0 };
+  cone.Axis = { 0.0, -1.0, 0.0 };
+  cone.Normal = { 0.0, 1.0, 0.0 };
+  cone.BaseRadius = discRadius;
+  cone.HalfAngle = std::atan((lampRadius + discRadius) / (lampHeight - discHeight));
+  cone.OccluderId = 0;
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  shadowcones::WriteConeSet({ cone }, output);
+  return output;
+}
+
+/// An image over x, y and z from -2 to 2 with the same value everywhere.
+inline vtkSmartPointer<vtkImageData> Constant(const char* name, float value, int edge = 3)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(edge, edge, edge);
+  image->SetOrigin(-2.0, -2.0, -2.0);
+  const double spacing = 4.0 / (edge - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  const auto count = static_cast<std::size_t>(image->GetNumberOfPoints());
+  shadowcones::AddFloatArray(image->GetPointData(), name, 1, std::vector<float>(count, value));
+  return image;
+}
+
+/// Errors of a filter and its executive, kept instead of printed.
+class Messages
+{
+public:
+  explicit Messages(vtkAlgorithm* filter)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
+      { static_cast<Messages*>(self)->Text += static_cast<const char*>(text); });
+    filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+  std::string Text;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+/// A filter with a lamp over a plate and a floor in brute force, at a test's sample counts.
+class ImageTest : public testing::Test
+{
+protected:
+  ImageTest()
+  {
+    this->Light->SetShapeToDisc();
+    this->Light->SetCenter(0.0, lampHeight, 0.0);
+    this->Light->SetNormal(0.0, -1.0, 0.0);
+    this->Light->SetRadius(lampRadius);
+    this->Camera->SetPosition(0.0, 0.0, 7.0);
+    this->Camera->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Camera->SetViewAngle(38.0);
+    this->Filter->SetInputData(PlateAndFloor());
+    this->Filter->SetLightConnection(this->Light->GetOutputPort());
+    this->Filter->SetCamera(this->Camera);
+    this->Filter->SetResolution(width, height);
+    this->Filter->SetMediumBounds(-2.0, 2.0, -2.0, 2.0, -2.0, 2.0);
+    this->Filter->SetModeToBruteForce();
+    this->Filter->SetNumberOfSteps(10);
+    this->Filter->SetNumberOfLightSamples(4);
+    this->Volume->SetLightConnection(this->Light->GetOutputPort());
+    this->Volume->SetDimensions(31, 31, 31);
+    this->Volume->SetBounds(-2.0, 2.0, -2.0, 2.0, -2.0, 2.0);
+    this->Volume->SetNumberOfLightSamples(32);
+  }
+
+  /// Everything that any mode needs: the round plate, its cone, and the volume of both.
+  void ConnectDisc()
+  {
+    this->Filter->SetInputData(Disc());
+    this->Filter->SetConeSetData(DiscCone());
+    this->Volume->SetInputData(DiscCone());
+    this->Volume->SetMeshData(Disc());
+    this->Filter->SetVisibilityVolumeConnection(this->Volume->GetOutputPort());
+    this->Filter->SetSoftDimensions(31, 31, 31);
+    this->Filter->LightVisibleOff();
+  }
+
+  vtkSmartPointer<vtkImageData> Image()
+  {
+    this->Filter->Update();
+    auto copy = vtkSmartPointer<vtkImageData>::New();
+    copy->DeepCopy(this->Filter->GetOutput());
+    return copy;
+  }
+
+  /// Update must fail with a message that holds the text, and leave no image.
+  void ExpectError(const std::string& part)
+  {
+    Messages messages(this->Filter);
+    this->Filter->Modified();
+    this->Filter->Update();
+    EXPECT_NE(messages.Text.find(part), std::string::npos) << "got: " << messages.Text;
+    EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  }
+
+  vtkNew<vtkAreaLightSource> Light;
+  vtkNew<vtkCamera> Camera;
+  vtkNew<vtkVisibilityVolume> Volume;
+  vtkNew<vtkScatteringImageFilter> Filter;
+};
+
+inline void ExpectSameBytes(vtkImageData* a, vtkImageData* b)
+{
+  for (const char* name : arrays)
+  {
+    vtkDataArray* first = a->GetPointData()->GetArray(name);
+    vtkDataArray* second = b->GetPointData()->GetArray(name);
+    ASSERT_TRUE(first && second) << name;
+    ASSERT_EQ(first->GetNumberOfValues(), second->GetNumberOfValues()) << name;
+    const auto bytes = static_cast<std::size_t>(first->GetNumberOfValues()) * first->GetDataTypeSize();
+    EXPECT_EQ(std::memcmp(first->GetVoidPointer(0), second->GetVoidPointer(0), bytes), 0) << name;
+  }
+}
+
+inline double Sum(vtkImageData* image, const char* name)
+{
+  vtkDataArray* array = image->GetPointData()->GetArray(name);
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    sum += array->GetComponent(i, 0);
+  }
+  return sum;
+}
+
+/// Root of the mean square of the difference of the medium terms, over the mean of the truth.
+inline double Error(vtkImageData* image, vtkImageData* truth)
+{
+  vtkDataArray* a = image->GetPointData()->GetArray("InScattering");
+  vtkDataArray* b = truth->GetPointData()->GetArray("InScattering");
+  double squares = 0.0;
+  for (vtkIdType i = 0; i < a->GetNumberOfTuples(); ++i)
+  {
+    const double difference = a->GetComponent(i, 0) - b->GetComponent(i, 0);
+    squares += difference * difference;
+  }
+  const auto count = static_cast<double>(a->GetNumberOfTuples());
+  return std::sqrt(squares / count) / (Sum(truth, "InScattering") / count);
+}
+
+inline double Field(vtkImageData* image, const char* name, int component = 0)
+{
+  vtkDataArray* array = image->GetFieldData()->GetArray(name);
+  return array ? array->GetComponent(0, component) : std::nan("");
+}
+
+} // namespace imagetesting
+
+#endif

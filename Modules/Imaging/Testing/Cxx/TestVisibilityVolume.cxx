@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The visibility volume as image data: arrays, bounds, bricks, files, extents, and a message for each fault.
+#include "vtkVisibilityVolume.h"
+
+#include "scAdapters.h"
+#include "scVisibilityVolume.h"
+#include "vtkAreaLightSource.h"
+#include "vtkScatteringImageFilter.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkXMLImageDataReader.h"
+#include "vtkXMLImageDataWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace
+{
+
+/// Errors of a filter and its executive, kept instead of printed.
+class Messages
+{
+public:
+  explicit Messages(vtkAlgorithm* filter)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
+      { static_cast<Messages*>(self)->Text += static_cast<const char*>(text); });
+    filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+  std::string Text;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+vtkSmartPointer<vtkPolyData> Plate()
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-0.6, 0.43, -0.5);
+  plane->SetPoint1(0.6, 0.43, -0.5);
+  plane->SetPoint2(-0.6, 0.43, 0.5);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> PlateCone(double height = 0.43)
+{
+  shadowcones::Cone cone;
+  cone.Center = { 0.0, height, 0.0 };
+  cone.Axis = { 0.0, -1.0, 0.0 };
+  cone.Normal = cone.Axis;
+  cone.BaseRadius = 0.8;
+  cone.HalfAngle = std::atan(1.2 / 1.57);
+  cone.OccluderId = 0;
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  shadowcones::WriteConeSet({ cone }, output);
+  return output;
+}
+
+class VisibilityVolume : public testing::Test
+{
+protected:
+  VisibilityVolume()
+  {
+    this->Light->SetShapeToDisc();
+    this->Light->SetCenter(0.0, 2.0, 0.0);
+    this->Light->SetNormal(0.0, -1.0, 0.0);
+    this->Light->SetRadius(0.4);
+    this->Filter->SetInputData(PlateCone());
+    this->Filter->SetLightConnection(this->Light->GetOutputPort());
+    this->Filter->SetMeshData(Plate());
+    this->Filter->SetDimensions(15, 21, 13);
+    this->Filter->SetBounds(-1.0, 1.0, -1.0, 1.5, -1.1, 1.2);
+  }
+
+  vtkSmartPointer<vtkImageData> Volume()
+  {
+    this->Filter->Update();
+    auto copy = vtkSmartPointer<vtkImageData>::New();
+    copy->DeepCopy(this->Filter->GetOutput());
+    return copy;
+  }
+  shadowcones::VisibilityGrid Read(vtkImageData* volume)
+  {
+    shadowcones::VisibilityGrid grid;
+    std::string error;
+    EXPECT_TRUE(shadowcones::ReadVisibilityGrid(volume, grid, error)) << error;
+    return grid;
+  }
+  /// Update must fail with a message that holds the text, and leave no volume.
+  void ExpectError(const std::string& part)
+  {
+    Messages messages(this->Filter);
+    this->Filter->Modified();
+    this->Filter->Update();
+    EXPECT_NE(messages.Text.find(part), std::string::npos) << "got: " << messages.Text;
+    EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  }
+  /// Reading a volume after a change must fail with a sentence that holds the text.
+  void ExpectUnreadable(const std::string& part, const std::function<void(vtkImageData*)>& change)
+  {
+    const auto volume = this->Volume();
+    change(volume);
+    shadowcones::VisibilityGrid grid;
+    std::string error;
+    EXPECT_FALSE(shadowcones::ReadVisibilityGrid(volume, grid, error)) << part;
+    EXPECT_NE(error.find(part), std::string::npos) << "got: " << error;
+  }
+
+  vtkNew<vtkAreaLightSource> Light;
+  vtkNew<vtkVisibilityVolume> Filter;
+};
+
+void ExpectSameGrids(const shadowcones::VisibilityGrid& a, const shadowcones::VisibilityGrid& b)
+{
+  EXPECT_EQ(a.Dimensions, b.Dimensions);
+  EXPECT_NEAR(shadowcones::Length(a.Origin - b.Origin), 0.0, 1e-12);
+  EXPECT_NEAR(shadowcones::Length(a.Spacing - b.Spacing), 0.0, 1e-12);
+  EXPECT_EQ(a.Visibility, b.Visibility);
+  EXPECT_EQ(a.ShadowClasses, b.ShadowClasses);
+  EXPECT_EQ(a.Marked, b.Marked);
+  EXPECT_EQ(a.BrickParts, b.BrickParts);
+  EXPECT_EQ(a.BrickCells, b.BrickCells);
+  EXPECT_EQ(a.BrickVisibility, b.BrickVisibility);
+}
+
+} // anonymous namespace
+
+TEST_F(VisibilityVolume, HasTheDocumentedArrays)
+{
+  const auto cones = PlateCone();
+  shadowcones::AddIntArray(cones->GetFieldData(), "NumberOfCones", 1, { 1 });
+  this->Filter->SetInputData(cones);
+  const auto volume = this->Volume();
+  vtkPointData* points = volume->GetPointData();
+  ASSERT_EQ(points->GetNumberOfArrays(), 3);
+  EXPECT_STREQ(points->GetScalars()->GetName(), "Visibility");
+  EXPECT_EQ(points->GetArray("Visibility")->GetDataType(), VTK_FLOAT);
+  EXPECT_EQ(points->GetArray("ShadowClass")->GetDataType(), VTK_UNSIGNED_CHAR);
+  EXPECT_EQ(points->GetArray("Marked")->GetDataType(), VTK_UNSIGNED_CHAR);
+  double range[2];
+  points->GetArray("ShadowClass")->GetRange(range);
+  EXPECT_EQ(range[1], 2.0); // there is umbra
+  const int* dimensions = volume->GetDimensions();
+  EXPECT_EQ(dimensions[0], 15);
+  EXPECT_EQ(dimensions[1], 21);
+  EXPECT_EQ(dimensions[2], 13);
+  const double* bounds = volume->GetBounds();
+  EXPECT_NEAR(bounds[0], -1.0, 1e-12);
+  EXPECT_NEAR(bounds[3], 1.5, 1e-12);
+  EXPECT_NEAR(bounds[5], 1.2, 1e-12);
+  vtkFieldData* field = volume->GetFieldData();
+  EXPECT_EQ(field->GetArray("BrickParts")->GetComponent(0, 0), 2.0);
+  EXPECT_EQ(field->GetArray("BrickVisibility")->GetNumberOfComponents(), 27);
+  EXPECT_GT(field->GetArray("BrickCells")->GetNumberOfTuples(), 10);
+  EXPECT_GT(field->GetArray("NumberOfOcclusionRays")->GetComponent(0, 0), 1000.0);
+  EXPECT_EQ(field->GetArray("Seed")->GetComponent(0, 0), 1.0);
+  EXPECT_EQ(field->GetArray("NumberOfCones"), nullptr); // nothing of the cone set's own
+}
+
+TEST_F(VisibilityVolume, UnsetBoundsAreThoseOfTheMedium)
+{
+  this->Filter->SetBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  vtkNew<vtkScatteringImageFilter> image;
+  image->SetInputData(Plate());
+  image->SetLightConnection(this->Light->GetOutputPort());
+  image->SetResolution(2, 2);
+  image->Update();
+  vtkDataArray* medium = image->GetOutput()->GetFieldData()->GetArray("MediumBounds");
+  const auto exact = this->Volume();
+  this->Filter->SetMethodToSoft();
+  const auto soft = this->Volume();
+  this->Filter->SetMeshConnection(nullptr);
+  const auto alone = this->Volume();
+  for (int side = 0; side < 6; ++side)
+  {
+    EXPECT_NEAR(exact->GetBounds()[side], medium->GetComponent(0, side), 1e-9);
+    EXPECT_NEAR(soft->GetBounds()[side], medium->GetComponent(0, side), 1e-9);
+  }
+  // From the cone's base and the light.
+  EXPECT_NEAR(alone->GetBounds()[0], -0.44, 1e-6);
+  EXPECT_NEAR(alone->GetBounds()[2], 0.43 - 0.05 * 1.57, 1e-6);
+}
+
+TEST_F(VisibilityVolume, SoftNeedsNoMesh)
+{
+  this->Filter->SetMethodToSoft();
+  this->Filter->SetMeshConnection(nullptr);
+  const auto volume = this->Volume();
+  double range[2];
+  volume->GetPointData()->GetArray("Visibility")->GetRange(range);
+  EXPECT_EQ(range[0], 0.0);
+  EXPECT_EQ(volume->GetFieldData()->GetArray("NumberOfOcclusionRays")->GetComponent(0, 0), 0.0);
+}
+
+TEST_F(VisibilityVolume, ReceiversCastNoShadow)
+{
+  const auto mesh = Plate();
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("OccluderId");
+  ids->InsertNextValue(-1);
+  mesh->GetCellData()->AddArray(ids);
+  this->Filter->SetMeshData(mesh);
+  double range[2];
+  this->Volume()->GetPointData()->GetArray("Visibility")->GetRange(range);
+  EXPECT_EQ(range[0], 1.0);
+}
+
+TEST_F(VisibilityVolume, SurvivesAFile)
+{
+  const auto volume = this->Volume();
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetInputData(volume);
+  writer->WriteToOutputStringOn();
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(writer->GetOutputString());
+  reader->Update();
+  const shadowcones::VisibilityGrid grid = this->Read(volume);
+  EXPECT_GT(grid.BrickCells.size(), 10u);
+  ExpectSameGrids(grid, this->Read(reader->GetOutput()));
+}
+
+TEST_F(VisibilityVolume, ReadsWhatWasWritten)
+{
+  const shadowcones::VisibilityGrid grid = this->Read(this->Volume());
+  const int whole[6] = { 0, 14, 0, 20, 0, 12 };
+  vtkNew<vtkImageData> copy;
+  shadowcones::WriteVisibilityGrid(grid, whole, copy);
+  ExpectSameGrids(grid, this->Read(copy));
+}
+
+TEST_F(VisibilityVolume, AnyImageWithVisibilityIsAVolume)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(3, 5, 0, 1, -2, -1);
+  image->SetSpacing(0.5, 1.0, 2.0);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Visibility");
+  for (int i = 0; i < 12; ++i)
+  {
+    values->InsertNextValue(i == 4 ? 0.0f : (i == 5 ? 0.5f : 1.0f));
+  }
+  image->GetPointData()->AddArray(values);
+  const shadowcones::VisibilityGrid grid = this->Read(image);
+  EXPECT_EQ(grid.Origin.X, 1.5);
+  EXPECT_EQ(grid.Origin.Z, -4.0);
+  EXPECT_EQ(grid.Dimensions, (std::array<int, 3>{ 3, 2, 2 }));
+  EXPECT_EQ(grid.Marked, (std::vector<unsigned char>{ 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(grid.ShadowClasses, (std::vector<unsigned char>{ 0, 0, 0, 0, 2, 1, 0, 0, 0, 0, 0, 0 }));
+  EXPECT_EQ(grid.BrickParts, 0);
+}
+
+TEST_F(VisibilityVolume, BricksOfAnotherGridAreLeftOut)
+{
+  const auto volume = this->Volume();
+  vtkNew<vtkImageData> half;
+  half->CopyStructure(volume);
+  half->SetExtent(0, 14, 0, 20, 0, 6);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Visibility");
+  values->SetNumberOfTuples(half->GetNumberOfPoints());
+  values->FillComponent(0, 1.0);
+  half->GetPointData()->AddArray(values);
+  half->GetFieldData()->ShallowCopy(volume->GetFieldData());
+  EXPECT_TRUE(this->Read(half).BrickCells.empty());
+}
+
+TEST_F(VisibilityVolume, ExtentsBringTheirBricks)
+{
+  const shadowcones::VisibilityGrid whole = this->Read(this->Volume());
+  std::vector<vtkIdType> cells;
+  for (const bool upper : { false, true })
+  {
+    const int extent[6] = { 0, 14, 0, 20, upper ? 5 : 0, upper ? 12 : 5 };
+    this->Filter->Modified();
+    this->Filter->UpdateExtent(extent);
+    vtkImageData* part = this->Filter->GetOutput();
+    ASSERT_TRUE(std::equal(extent, extent + 6, part->GetExtent()));
+    EXPECT_NEAR(part->GetOrigin()[2], -1.1, 1e-12);
+    vtkDataArray* bricks = part->GetFieldData()->GetArray("BrickCells");
+    for (vtkIdType b = 0; bricks && b < bricks->GetNumberOfTuples(); ++b)
+    {
+      cells.push_back(static_cast<vtkIdType>(bricks->GetComponent(b, 0)));
+    }
+  }
+  EXPECT_EQ(cells, whole.BrickCells);
+}
+
+TEST_F(VisibilityVolume, AnEmptyConeSetLeavesEverythingLit)
+{
+  vtkNew<vtkPolyData> none;
+  shadowcones::WriteConeSet({}, none);
+  this->Filter->SetInputData(none);
+  Messages messages(this->Filter);
+  double range[2];
+  this->Volume()->GetPointData()->GetArray("Visibility")->GetRange(range);
+  EXPECT_EQ(range[0], 1.0);
+  EXPECT_EQ(messages.Text, "");
+  // Nothing at all gives an empty volume.
+  this->Light->SetShapeToSun();
+  this->Filter->SetMethodToSoft();
+  this->Filter->SetMeshConnection(nullptr);
+  this->Filter->SetBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  EXPECT_EQ(this->Volume()->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(messages.Text, "");
+}
+
+TEST_F(VisibilityVolume, BadParametersAreReported)
+{
+  this->Filter->SetMethod(2);
+  this->ExpectError("Method is 2: it must be Exact (0) or Soft (1).");
+  this->Filter->SetMethodToExact();
+  this->Filter->SetNumberOfLightSamples(0);
+  this->ExpectError("NumberOfLightSamples is 0: it must be in 1..65536.");
+  this->Filter->SetNumberOfLightSamples(16);
+  this->Filter->SetBrickParts(0);
+  this->ExpectError("BrickParts is 0: it must be in 1..32.");
+  this->Filter->SetBrickParts(2);
+  this->Filter->SetRefinementThreshold(std::numeric_limits<double>::quiet_NaN());
+  this->ExpectError("RefinementThreshold is nan: it must be in 0..1.");
+  this->Filter->SetRefinementThreshold(0.5);
+  this->Filter->SetBounds(-1.0, 1.0, 0.5, 0.5, -1.0, 1.0);
+  this->ExpectError("Bounds along y run from 0.5 to 0.5: they must be finite, and the first below the second.");
+  this->Filter->SetBounds(-1.0, 1.0, 0.0, 1.0, -1.0, 1.0);
+  this->Filter->SetDimensions(9, 1, 9);
+  this->ExpectError("Dimensions are 9, 1, 9: each must be at least 2, and all together at most 2^31 - 1 points.");
+  this->Filter->SetDimensions(5000, 5000, 5000);
+  this->ExpectError("Dimensions are 5000, 5000, 5000");
+  this->Filter->SetDimensions(9, 9, 9);
+  EXPECT_EQ(this->Volume()->GetPointData()->GetNumberOfArrays(), 3);
+}
+
+TEST_F(VisibilityVolume, BadInputsAreReported)
+{
+  this->Filter->SetMeshConnection(nullptr);
+  this->ExpectError("Exact needs the mesh: connect it with SetMeshConnection(), or use SetMethodToSoft().");
+  vtkNew<vtkPolyData> points;
+  points->DeepCopy(PlateCone());
+  this->Filter->SetMeshData(points);
+  this->ExpectError("The mesh on input port 2 has 1 cells and no polygon: shadows need surfaces.");
+  this->Filter->SetMeshData(Plate());
+  this->Filter->SetInputData(Plate());
+  this->ExpectError("Cone set (input port 0): ");
+  this->Filter->SetInputData(PlateCone());
+  this->Filter->SetLightConnection(nullptr);
+  this->ExpectError("There is no light: connect a vtkAreaLightSource or another poly data with SetLightConnection().");
+  vtkNew<vtkPolyData> noLight;
+  this->Filter->SetLightData(noLight);
+  this->ExpectError("Light (input port 1): ");
+  // A point-like light at the only cone has no extent.
+  vtkNew<vtkAreaLightSource> sun;
+  sun->SetShapeToSun();
+  sun->SetNormal(0.0, -1.0, 0.0);
+  this->Filter->SetLightConnection(sun->GetOutputPort());
+  this->Filter->SetMethodToSoft();
+  this->Filter->SetMeshConnection(nullptr);
+  this->Filter->SetBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  this->ExpectError("Bounds are not set, and cone set, mesh and light have no extent to take them from.");
+}
+
+TEST_F(VisibilityVolume, BadVolumesAreReported)
+{
+  this->ExpectUnreadable("has no point array \"Visibility\".",
+    [](vtkImageData* volume) { volume->GetPointData()->RemoveArray("Visibility"); });
+  this->ExpectUnreadable("\"Visibility\" of the visibility volume is 1.5 at point 7: it must be in 0..1.",
+    [](vtkImageData* volume) { volume->GetPointData()->GetArray("Visibility")->SetComponent(7, 0, 1.5); });
+  this->ExpectUnreadable("is nan at point 3",
+    [](vtkImageData* volume) { volume->GetPointData()->GetArray("Visibility")->SetComponent(3, 0, std::nan("")); });
+  this->ExpectUnreadable("Point array \"Marked\" of the visibility volume has 2 values of 1 components",
+    [](vtkImageData* volume) { volume->GetPointData()->GetArray("Marked")->SetNumberOfTuples(2); });
+  this->ExpectUnreadable("rotated by its direction matrix",
+    [](vtkImageData* volume) { volume->SetDirectionMatrix(0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0); });
+  this->ExpectUnreadable("with a spacing of -1", [](vtkImageData* volume) { volume->SetSpacing(0.1, -1.0, 0.1); });
+  this->ExpectUnreadable("has 1 points along y: it must have at least 2.",
+    [](vtkImageData* volume) { volume->SetExtent(0, 14, 0, 0, 0, 12); });
+  this->ExpectUnreadable("\"BrickVisibility\" must have a tuple for each of",
+    [](vtkImageData* volume) { volume->GetFieldData()->GetArray("BrickParts")->SetComponent(0, 0, 3.0); });
+  this->ExpectUnreadable("must be cells of the volume in ascending order: that of brick 1 is 0.",
+    [](vtkImageData* volume) { volume->GetFieldData()->GetArray("BrickCells")->SetComponent(1, 0, 0.0); });
+  this->ExpectUnreadable("\"BrickVisibility\" of the visibility volume is -1 in brick 2: it must be in 0..1.",
+    [](vtkImageData* volume) { volume->GetFieldData()->GetArray("BrickVisibility")->SetComponent(2, 5, -1.0); });
+}
+
+TEST_F(VisibilityVolume, PrintsEveryParameter)
+{
+  std::ostringstream text;
+  this->Filter->Print(text);
+  for (const char* name : { "Method: Exact", "Dimensions: 15, 21, 13", "Bounds: -1, 1, -1, 1.5, -1.1, 1.2",
+         "NumberOfLightSamples: 16", "BrickParts: 2", "RefinementThreshold: 0.5", "Seed: 1" })
+  {
+    EXPECT_NE(text.str().find(name), std::string::npos) << name;
+  }
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scDensityImage.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace shadowcones
+{
+
+namespace
+{
+
+vtkDataArray* FindDensity(vtkImageData* input)
+{
+  vtkPointData* points = input->GetPointData();
+  if (vtkDataArray* named = points->GetArray("Density"))
+  {
+    return named;
+  }
+  if (vtkDataArray* scalars = points->GetScalars())
+  {
+    return scalars;
+  }
+  for (int k = 0; k < points->GetNumberOfArrays(); ++k)
+  {
+    if (vtkDataArray* array = points->GetArray(k))
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+
+void ReadPlacement(vtkImageData* input, DensityGrid& grid)
+{
+  int extent[6];
+  double spacing[3];
+  double origin[3];
+  input->GetExtent(extent);
+  input->GetSpacing(spacing);
+  input->GetOrigin(origin);
+  const double* direction = input->GetDirectionMatrix()->GetData();
+  grid.Origin = { origin[0], origin[1], origin[2] };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    grid.Dimensions[a] = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    // Nothing depends on the spacing along an axis with one point.
+    const double step = grid.Dimensions[a] == 1 && spacing[axis] == 0.0 ? 1.0 : spacing[axis];
+    grid.Axes[a] = { step * direction[axis], step * direction[3 + axis], step * direction[6 + axis] };
+    grid.Origin += static_cast<double>(extent[2 * axis]) * grid.Axes[a];
+  }
+}
+
+/// The array as floats; false, with a sentence in @p error, where a value is no density.
+bool ReadValues(vtkDataArray* array, DensityGrid& grid, std::string& error)
+{
+  const vtkIdType count = array->GetNumberOfTuples();
+  grid.Values.resize(static_cast<std::size_t>(count));
+  for (vtkIdType point = 0; point < count; ++point)
+  {
+    const auto value = static_cast<float>(array->GetComponent(point, 0));
+    if (!(value >= 0.0f) || std::isinf(value))
+    {
+      std::ostringstream message;
+      message << "The density of point " << point << " is " << array->GetComponent(point, 0)
+              << ": it must be finite and 0 or above.";
+      error = message.str();
+      return false;
+    }
+    grid.Values[static_cast<std::size_t>(point)] = value;
+  }
+  return true;
+}
+
+} // namespace
+
+bool ReadDensity(vtkImageData* input, DensityGrid& grid, std::string& error)
+{
+  grid = DensityGrid();
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    error = "There are no points.";
+    return false;
+  }
+  vtkDataArray* array = FindDensity(input);
+  if (!array)
+  {
+    error = "There is no point array: name it \"Density\" or make it the active scalars. Cell data can be turned into "
+            "point data with vtkCellDataToPointData.";
+    return false;
+  }
+  const std::string name = array->GetName() ? array->GetName() : "";
+  if (array->GetNumberOfComponents() != 1)
+  {
+    error = "The point array \"" + name + "\" has " + std::to_string(array->GetNumberOfComponents()) +
+      " components where a density has 1.";
+    return false;
+  }
+  if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    error = "The point array \"" + name + "\" has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+      std::to_string(input->GetNumberOfPoints()) + " points.";
+    return false;
+  }
+  ReadPlacement(input, grid);
+  if (!ReadValues(array, grid, error))
+  {
+    return false;
+  }
+  if (const char* fault = PrepareDensityGrid(grid))
+  {
+    error = fault;
+    return false;
+  }
+  return true;
+}
+
+} // namespace shadowcones

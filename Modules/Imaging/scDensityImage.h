@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scDensityImage.h
+ * @brief The density of a medium as image data.
+ */
+#ifndef scDensityImage_h
+#define scDensityImage_h
+
+#include "ShadowConesImagingModule.h"
+#include "scDensityGrid.h"
+
+#include <string>
+
+class vtkImageData;
+
+namespace shadowcones
+{
+
+/**
+ * Read a density and prepare it: the point array "Density", else the active point scalars, else the first point array; one
+ * component, relative to SigmaS and SigmaA. Any origin, spacing, extent and direction matrix; along an axis with a single
+ * point the density is constant. @return false, with a sentence in @p error that names what is missing or the point whose
+ * value is negative or not finite.
+ */
+SHADOWCONESIMAGING_EXPORT bool ReadDensity(vtkImageData* input, DensityGrid& grid, std::string& error);
+
+} // namespace shadowcones
+
+#endif

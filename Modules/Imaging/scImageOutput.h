@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scImageOutput.h
+ * @brief Pixels of a scattering image, their colours, and what they were seen with, as arrays. Internal to Imaging.
+ */
+#ifndef scImageOutput_h
+#define scImageOutput_h
+
+#include "scMedium.h"
+#include "scScatteringImage.h"
+
+#include <cstddef>
+#include <vector>
+
+class vtkCamera;
+class vtkFieldData;
+class vtkPointData;
+class vtkPolyData;
+
+namespace shadowcones
+{
+
+/// The light's wavelengths in nm where it says so, else the default ones for its number of samples.
+std::vector<double> ReadWavelengths(vtkPolyData* light, std::size_t count);
+
+/// Add every array of an image, and "RGB": its radiance times @p exposure as sRGB, the active scalars.
+void WritePixels(
+  const ScatteringImage& image, const std::vector<double>& wavelengthsInNm, double exposure, vtkPointData* points);
+void WriteCamera(vtkCamera* camera, vtkFieldData* field);
+void WriteMedium(const Medium& medium, vtkFieldData* field);
+
+} // namespace shadowcones
+
+#endif

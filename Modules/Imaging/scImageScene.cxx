@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scImageScene.h"
+
+#include "scDensityImage.h"
+#include "scImageInputs.h"
+#include "scImageOutput.h"
+#include "scLightData.h"
+#include "scVisibilityVolume.h"
+
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+
+namespace shadowcones
+{
+namespace
+{
+const char* const modeNames[] = { "BruteForce", "Medium", "Fast", "Guided", "Soft", "Volume" };
+} // anonymous namespace
+
+bool CheckInputs(const ImageInputs& inputs, ScatteringMode mode, std::string& error)
+{
+  const std::string chosen = std::string("Mode is ") + modeNames[static_cast<int>(mode)];
+  const bool needsMesh =
+    mode == ScatteringMode::BruteForce || mode == ScatteringMode::Medium || mode == ScatteringMode::Guided;
+  const bool needsCones =
+    mode == ScatteringMode::Medium || mode == ScatteringMode::Fast || mode == ScatteringMode::Soft;
+  if (!inputs.Light)
+  {
+    error = "There is no light: connect a vtkAreaLightSource or another poly data with SetLightConnection().";
+  }
+  else if (needsMesh && !inputs.Mesh)
+  {
+    error = chosen +
+      " but there is no mesh: connect a vtkLabelOccluders or another poly data, which may be empty, with "
+      "SetInputConnection(). Fast, Soft and Volume work without a mesh.";
+  }
+  else if (needsCones && !inputs.Cones)
+  {
+    error = chosen +
+      " but there is no cone set: connect a vtkConeSetFilter with SetConeSetConnection(), or use SetModeToGuided() or "
+      "SetModeToBruteForce(), which work without.";
+  }
+  else if (mode == ScatteringMode::Volume && !inputs.Visibility)
+  {
+    error = chosen +
+      " but there is no visibility volume: connect a vtkVisibilityVolume with SetVisibilityVolumeConnection(), or use "
+      "SetModeToGuided().";
+  }
+  return error.empty();
+}
+
+bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error)
+{
+  const ScatteringMode mode = scene.Options.Mode;
+  if (!ReadLight(inputs.Light, scene.Source, error))
+  {
+    error = "Light (input port 1): " + error;
+    return false;
+  }
+  const std::size_t wavelengths = scene.Source.Spectrum.size();
+  scene.Wavelengths = ReadWavelengths(inputs.Light, wavelengths);
+
+  if (inputs.Mesh && !ReadTriangles(inputs.Mesh, scene.Mesh, error))
+  {
+    error = "Mesh (input port 0): " + error;
+    return false;
+  }
+  scene.MeshBounds = MeshBounds(scene.Mesh.View());
+  if (inputs.Mesh && !ReadReflectance(inputs.Mesh, scene.Mesh.SourceCells, wavelengths, scene.Options, error))
+  {
+    return false;
+  }
+
+  scene.HasCones = inputs.Cones && mode != ScatteringMode::BruteForce;
+  if (scene.HasCones && !ReadConeSet(inputs.Cones, scene.Cones, error))
+  {
+    error = "Cone set (input port 2): " + error;
+    return false;
+  }
+  if (scene.HasCones && mode == ScatteringMode::Soft)
+  {
+    UndoCosineCorrection(inputs.Cones->GetFieldData(), scene.Cones);
+  }
+  if (mode == ScatteringMode::Volume && !ReadVisibilityGrid(inputs.Visibility, scene.Visibility, error))
+  {
+    error = "Visibility volume (input port 3): " + error;
+    return false;
+  }
+  if (inputs.Density && !ReadDensity(inputs.Density, scene.Density, error))
+  {
+    error = "Density (input port 4): " + error;
+    return false;
+  }
+  scene.Fog.Density = inputs.Density ? &scene.Density : nullptr;
+  return true;
+}
+
+bool FindMediumBounds(const double bounds[6], vtkPolyData* light, ImageScene& scene, std::string& error)
+{
+  Box& box = scene.Fog.Bounds;
+  if (AreUnsetBounds(bounds))
+  {
+    Box inside = scene.MeshBounds;
+    if (inside.Empty())
+    {
+      std::for_each(scene.Cones.begin(), scene.Cones.end(), [&inside](const auto& cone) { inside.Add(cone.Center); });
+    }
+    const VisibilityGrid& grid = scene.Visibility;
+    if (inside.Empty() && !grid.Visibility.empty())
+    {
+      const std::array<int, 3>& n = grid.Dimensions;
+      box = { grid.Origin, grid.Vertex(n[0] - 1, n[1] - 1, n[2] - 1) };
+    }
+    else if (!BoundsAround(inside, light, scene.Source, box))
+    {
+      error = "MediumBounds are not set, and mesh and light have no bounds to take them from.";
+    }
+  }
+  else if (ReadBounds("MediumBounds", bounds, box, error))
+  {
+    const Vector3 size = box.Size();
+    if (scene.Options.Mode == ScatteringMode::Soft && !(std::min({ size.X, size.Y, size.Z }) > 0.0))
+    {
+      error = "Mode is Soft and MediumBounds are flat: its grid needs a box with a volume.";
+    }
+  }
+  return error.empty();
+}
+
+} // namespace shadowcones

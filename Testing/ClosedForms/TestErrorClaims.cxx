@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What Guided says of its own error, held against a converged image of the finest shadows there are.
+#include "RoomTestScene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace shadowcones;
+
+namespace
+{
+/// The differences of an image from the converged one, over what the image claims.
+struct Claims
+{
+  int Pixels = 0;
+  int Held = 0; ///< within two claimed errors
+  std::vector<double> Ratios;
+
+  void Add(double difference, double claim)
+  {
+    this->Pixels += 1;
+    this->Held += std::fabs(difference) <= 2.0 * claim;
+    this->Ratios.push_back(std::fabs(difference) / claim);
+  }
+  double Share() const { return static_cast<double>(this->Held) / this->Pixels; }
+  double Median()
+  {
+    std::nth_element(this->Ratios.begin(), this->Ratios.begin() + this->Pixels / 2, this->Ratios.end());
+    return this->Ratios[static_cast<std::size_t>(this->Pixels / 2)];
+  }
+};
+
+class ErrorClaims : public testing::TestWithParam<const char*>
+{
+};
+} // namespace
+
+TEST_P(ErrorClaims, HoldInNineteenOfTwentyPixels)
+{
+  ImageTestScene scene = RoomTestScene(GetParam());
+  const int size = 48;
+  scene.SetSize(size, size);
+  // No cones, one pass, another seed.
+  scene.Options.RelativeErrorGoal = 0.0;
+  scene.Options.MaximumSamples = 4096;
+  scene.Options.Seed = 77;
+  const ScatteringImage converged = scene.Render(ScatteringMode::Guided, nullptr, nullptr);
+  const OccluderScene nothing{ TriangleMeshView() };
+  ScatteringOptions unshadowed = scene.Options;
+  unshadowed.Mode = ScatteringMode::Volume;
+  ScatteringImage lit;
+  ASSERT_TRUE(RenderScattering({ nothing, scene.Source, scene.Fog, scene.Eye }, unshadowed, {}, lit));
+  double typical = 0.0;
+  for (const float value : lit.InScattering)
+  {
+    typical += value / static_cast<double>(lit.InScattering.size());
+  }
+
+  scene.Options.MaximumSamples = 1024;
+  const ConeHierarchy cones(scene.Bounds, scene.Fog.Bounds);
+  for (const double goal : { 0.05, 0.02 })
+  {
+    scene.Options.RelativeErrorGoal = goal;
+    scene.Options.Seed = 1;
+    const ScatteringImage image = scene.Render(ScatteringMode::Guided, &cones, nullptr);
+    Claims all;
+    Claims reached;
+    double sum = 0.0;
+    double squares = 0.0;
+    double truth = 0.0;
+    float largest = 0.0f;
+    for (std::size_t k = 0; k < image.InScattering.size(); ++k)
+    {
+      const double difference = static_cast<double>(image.InScattering[k]) - converged.InScattering[k];
+      const double claim = static_cast<double>(image.RelativeError[k]) * image.InScattering[k];
+      if (image.InScattering[k] == 0.0f)
+      {
+        EXPECT_TRUE(converged.InScattering[k] == 0.0f || image.RelativeError[k] == 1.0f) << "pixel " << k;
+        continue;
+      }
+      all.Add(difference, claim);
+      if (image.SampleCount[k] > 0)
+      {
+        reached.Add(difference, claim);
+        sum += difference;
+        squares += difference * difference;
+        truth += converged.InScattering[k];
+      }
+      if (image.SampleCount[k] < scene.Options.MaximumSamples && image.InScattering[k] > 0.15 * typical)
+      {
+        largest = std::max(largest, image.RelativeError[k]);
+      }
+    }
+    const double n = reached.Pixels;
+    const double standardError = std::sqrt(squares / n / n);
+    EXPECT_GT(n, image.InScattering.size() / 5);
+    EXPECT_GE(all.Share(), 0.95) << "goal " << goal;
+    EXPECT_GE(reached.Share(), 0.95) << "goal " << goal;
+    EXPECT_GT(reached.Median(), 0.25) << "goal " << goal << ": claims are far too large";
+    EXPECT_LE(std::fabs(sum / n), 3.0 * standardError) << "goal " << goal << ", " << sum / truth << " of the mean";
+    EXPECT_LE(largest, static_cast<float>(1.5001 * goal)) << "where sampling stopped by itself";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ErrorClaims, testing::Values("chair", "tree"),
+  [](const testing::TestParamInfo<const char*>& info) { return std::string(info.param); });
