@@ -44,7 +44,6 @@ int main()
   image->SetConeSetConnection(cones->GetOutputPort());
   image->SetResolution(48, 48);
   image->SetMediumBounds(-2.0, 2.0, -2.0, 3.0, -2.0, 2.0);
-  image->SetModeToMedium();
   image->Update();
 
   vtkDataArray* scattered = image->GetOutput()->GetPointData()->GetArray("InScattering");

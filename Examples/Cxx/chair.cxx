@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole chain in C++: a mesh in a room under a ceiling lamp gives shadow vectors, cones and an image of light shafts.
 //
-//   chair MESH.vtp ROOM.vtp FOLDER      for example: build/bin/chair Data/chair.vtp Data/cornell-box.vtp output
+//   chair MESH.vtp ROOM.vtp FOLDER [--mode NAME]
+//
+// for example: build/bin/chair Data/chair.vtp Data/cornell-box.vtp output --mode Volume
 #include "vtkAreaLightSource.h"
 #include "vtkConeSetFilter.h"
 #include "vtkLabelOccluders.h"
 #include "vtkScatteringImageFilter.h"
 #include "vtkShadowVectorFilter.h"
+#include "vtkVisibilityVolume.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCamera.h>
@@ -22,13 +25,18 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <string>
 
 namespace
 {
+/// At the index that vtkScatteringImageFilter has for each.
+const char* const modes[] = { "BruteForce", "Medium", "Fast", "Guided", "Soft", "Volume" };
+
 bool Read(vtkXMLPolyDataReader* reader, const char* path)
 {
   if (!std::filesystem::exists(path))
@@ -71,11 +79,15 @@ bool Write(vtkAlgorithmOutput* port, const std::filesystem::path& path)
 
 int main(int argc, char* argv[])
 {
-  if (argc != 4)
+  const bool hasMode = argc == 6 && std::string(argv[4]) == "--mode";
+  const auto* chosen = std::find(std::begin(modes), std::end(modes), std::string(hasMode ? argv[5] : "Guided"));
+  if ((argc != 4 && !hasMode) || chosen == std::end(modes))
   {
-    std::cerr << "usage: chair MESH.vtp ROOM.vtp FOLDER\n";
+    std::cerr << "usage: chair MESH.vtp ROOM.vtp FOLDER [--mode NAME]\n"
+              << "NAME is Guided (default), Volume, Soft, BruteForce, Medium or Fast\n";
     return EXIT_FAILURE;
   }
+  const auto mode = static_cast<int>(chosen - std::begin(modes));
   std::error_code error;
   const std::filesystem::path folder = argv[3];
   std::filesystem::create_directories(folder, error);
@@ -116,6 +128,18 @@ int main(int argc, char* argv[])
   cones->SetInputConnection(vectors->GetOutputPort(0));
   cones->SetPhotonPathConnection(vectors->GetOutputPort(1));
 
+  if (mode == vtkScatteringImageFilter::Soft)
+  {
+    cones->SetTuningToSoft(); // discs that stand for the chair itself
+  }
+
+  const double fog[6] = { -2.75, 2.75, 0.0, 5.2, -2.75, 2.75 };
+  vtkNew<vtkVisibilityVolume> volume;
+  volume->SetInputConnection(cones->GetOutputPort());
+  volume->SetLightConnection(light->GetOutputPort());
+  volume->SetMeshConnection(room->GetOutputPort());
+  volume->SetBounds(fog);
+
   vtkNew<vtkCamera> camera;
   camera->SetPosition(0.0, 2.75, 12.5);
   camera->SetFocalPoint(0.0, 2.75, 0.0);
@@ -127,9 +151,13 @@ int main(int argc, char* argv[])
   image->SetConeSetConnection(cones->GetOutputPort());
   image->SetCamera(camera);
   image->SetResolution(256, 256);
-  image->SetModeToMedium();
+  image->SetMode(mode);
+  if (mode == vtkScatteringImageFilter::Volume)
+  {
+    image->SetVisibilityVolumeConnection(volume->GetOutputPort()); // filled once, for any number of cameras
+  }
   image->SetSigmaS(0.12);
-  image->SetMediumBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
+  image->SetMediumBounds(fog);
   image->Update();
 
   if (image->GetOutput()->GetNumberOfPoints() == 0 ||

@@ -43,7 +43,7 @@ def chain(data, size):
     image.Camera.FocalPoint = [0.0, 2.75, 0.0]
     image.Camera.ViewAngle = 32.0
     image.Resolution = [size, size]
-    image.Mode = "Medium"
+    image.Mode = "Guided"
     image.SigmaS = 0.12
     image.MediumBounds = [-2.75, 2.75, 0.0, 5.2, -2.75, 2.75]
     return occluders, light, vectors, cones, image

@@ -91,11 +91,11 @@ def main():
         image.SetConeSetConnection(cones.GetOutputPort())
         image.SetCamera(scenes.front_camera())
         image.SetResolution(arguments.size, arguments.size)
-        image.SetModeToMedium()
+        image.SetModeToGuided()
+        image.SetRelativeErrorGoal(0.01)  # of each pixel: sampling stops there
         image.SetSigmaS(0.12)
         image.SetSigmaA(0.0)
         image.SetMediumBounds(*scenes.MEDIUM_BOUNDS)
-        image.SetNumberOfLightSamples(16)
         image.Update()
         require(image.GetOutput(), "pixels")
         write(vtkXMLImageDataWriter(), image.GetOutput(), path("scattering.vti"))

@@ -150,11 +150,12 @@ def cone_set(vectors):
 
 
 def light_shafts(room, light, cones, mode, size):
-    """The paper's fog in the room, as its open front shows it. `mode` is BruteForce, Medium or Fast."""
+    """The paper's fog in the room, as its open front shows it. `mode` is one of the six of the image; cones may be None."""
     image = sc.vtkScatteringImageFilter()
     image.SetInputConnection(room.GetOutputPort())
     image.SetLightConnection(light.GetOutputPort())
-    image.SetConeSetConnection(cones.GetOutputPort())
+    if cones:
+        image.SetConeSetConnection(cones.GetOutputPort())
     image.SetCamera(scenes.front_camera())
     image.SetResolution(size, size)
     getattr(image, "SetModeTo" + mode)()
