@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RoomImage.h
- * @brief The camera, medium and walls of the room, and the medium term of the image at random pixels from the reference.
+ * @brief The camera, medium and walls of the room, and the image's medium term at some pixels from the reference.
  */
 #ifndef RoomImage_h
 #define RoomImage_h
@@ -41,7 +41,10 @@ struct PixelTruth
 /// Pixels of a size x size image in the order of the golden ratio, which covers the image evenly; no values yet.
 std::vector<PixelTruth> SpreadPixels(int size, int count);
 
-/// By Testing/Reference, @p samples a pixel, kept in @p folder from one run to the next.
+/**
+ * By Testing/Reference, @p samples a pixel. Kept in @p folder from one run to the next, in a file that is named by the
+ * hash of mesh, light, medium, camera and sampling. Throws std::runtime_error where it cannot be written.
+ */
 std::vector<PixelTruth> ReferencePixels(
   const BenchmarkScene& scene, const Room& room, int size, int pixels, int samples, const std::string& folder);
 
@@ -50,6 +53,7 @@ struct ImageError
   double Rms = 0.0;       ///< over the mean, the reference's noise taken off
   double Bias = 0.0;      ///< mean difference over the mean
   double Reference = 0.0; ///< the reference's own noise over the mean
+  double Smallest = 0.0;  ///< Rms below this cannot be told from none: two standard errors of it
 };
 
 /// @param values one for each pixel of @p truth.
