@@ -58,7 +58,7 @@ public:
 /// How fine a profile is computed.
 struct LitLevel
 {
-  int Panels = 1; ///< 0 .. NumberOfPanelLevels - 1
+  int Panels = 0; ///< 0 .. NumberOfPanelLevels - 1
   int Rule = 0;   ///< 0 .. LightRule::NumberOfLevels - 1
 };
 

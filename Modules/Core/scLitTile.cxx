@@ -14,6 +14,9 @@ namespace
 constexpr int mostEvaluations = 1 << 12;
 constexpr int mostMeshEvaluations = 1 << 15;
 
+/// Rules are checked at one ray of a square: to be trusted at the others they must agree by this share of the tolerance.
+constexpr double quadratureShare = 0.3;
+
 /// A sum of three rows: the innermost loop of interpolation.
 SHADOWCONES_WIDE void AddThree(
   float* sum, const float* a, const float* b, const float* c, const double weights[3], std::size_t count)
@@ -182,7 +185,7 @@ void LitTile::RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tole
       this->Evaluate(i, j, span, span.Begin, next, finer);
       const double difference = this->Difference(values, finer, factor);
       differences[part == &LitLevel::Panels ? 0 : 1] = difference;
-      if (difference > this->Tolerance)
+      if (difference > quadratureShare * this->Tolerance)
       {
         level = next;
         std::swap(values, finer);
