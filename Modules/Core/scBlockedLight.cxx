@@ -51,59 +51,6 @@ const LightSequence& Sequence()
 }
 } // anonymous namespace
 
-LitSums::LitSums(const ExtinctionGroups& groups)
-  : Extinction(groups)
-  , Cumulative(cells + 1)
-{
-}
-
-void LitSums::Add(const LitPixel& pixel, double tEnd)
-{
-  this->Pixel = &pixel;
-  const int groups = this->Extinction.Count();
-  this->Totals.resize(static_cast<std::size_t>(groups));
-  this->Last = this->PlaceOf(tEnd);
-  this->Whole = 0.0;
-  for (int g = 0; g < groups; ++g)
-  {
-    const float* cell = pixel.Cells(g);
-    double total = this->Last.Share * static_cast<double>(cell[this->Last.Cell]);
-    for (int k = 0; k < this->Last.Cell; ++k)
-    {
-      total += static_cast<double>(cell[k]);
-    }
-    this->Totals[static_cast<std::size_t>(g)] = total;
-    this->Whole += this->Extinction.MeanSource[static_cast<std::size_t>(g)] * total;
-  }
-}
-
-void LitSums::Accumulate()
-{
-  double sum = 0.0;
-  for (int k = 0; k < cells; ++k)
-  {
-    double mean = 0.0;
-    for (int g = 0; g < this->Extinction.Count(); ++g)
-    {
-      mean += this->Extinction.MeanSource[static_cast<std::size_t>(g)] * static_cast<double>(this->Pixel->Cells(g)[k]);
-    }
-    this->Cumulative[static_cast<std::size_t>(k)] = sum;
-    sum += std::max(mean, 0.0);
-  }
-  this->Cumulative[cells] = sum;
-}
-
-LitSums::Place LitSums::PlaceOf(double t) const
-{
-  const float* edges = this->Pixel->Values.data();
-  const auto offset = static_cast<float>(t - this->Pixel->Reference);
-  const auto after = static_cast<int>(std::upper_bound(edges + 1, edges + cells, offset) - edges);
-  const int cell = after - 1;
-  const float width = edges[after] - edges[cell];
-  const double share = width > 0.0f ? static_cast<double>((offset - edges[cell]) / width) : 0.0;
-  return { cell, std::clamp(share, 0.0, 1.0) };
-}
-
 BlockedLight::BlockedLight(
   const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups)
   : Scene(scene)
@@ -115,8 +62,8 @@ BlockedLight::BlockedLight(
   Sequence();
 }
 
-void BlockedLight::Estimate(const Camera::Ray& ray, const LitSums& lit, double litError,
-  const std::vector<RayInterval>& stretches, double darkest, std::uint64_t seed)
+void BlockedLight::Estimate(const LitSums& lit, double litError, const std::vector<RayInterval>& stretches,
+  double darkest, std::uint64_t seed)
 {
   this->Sums.assign(static_cast<std::size_t>(this->Groups.Count()), 0.0);
   this->SquaredError = 0.0;
@@ -140,20 +87,20 @@ void BlockedLight::Estimate(const Camera::Ray& ray, const LitSums& lit, double l
     return;
   }
   const LitPixel& pixel = lit.Source();
-  this->Depth.SetRay(ray.Origin, ray.Direction, pixel.Span.MediumBegin, pixel.Span.End);
+  this->Depth.SetRay(pixel.Line.Origin, pixel.Line.Direction, pixel.Span.MediumBegin, pixel.Span.End);
 
   const double goal = this->Options.RelativeErrorGoal;
   const int most = std::max(this->Options.MaximumSamples, 1);
   if (!(goal > 0.0))
   {
-    this->Sample(ray, lit, light, most, HashSeed(seed, 0));
+    this->Sample(lit, light, most, HashSeed(seed, 0));
     return;
   }
   const double first = std::ceil(std::pow(expectedSpread * light / (goal * std::max(all, darkest)), 4.0 / 3.0));
   int count = std::min(most, static_cast<int>(std::clamp<double>(first, fewestSamples, mostFirstSamples)));
   for (std::uint64_t pass = 0; this->Samples < most; ++pass)
   {
-    this->Sample(ray, lit, light, count, HashSeed(seed, pass));
+    this->Sample(lit, light, count, HashSeed(seed, pass));
     double mean = all;
     for (int g = 0; g < this->Groups.Count(); ++g)
     {
@@ -171,9 +118,9 @@ void BlockedLight::Estimate(const Camera::Ray& ray, const LitSums& lit, double l
   }
 }
 
-void BlockedLight::Sample(
-  const Camera::Ray& ray, const LitSums& lit, double light, int count, std::uint64_t seed)
+void BlockedLight::Sample(const LitSums& lit, double light, int count, std::uint64_t seed)
 {
+  const Camera::Ray& ray = lit.Source().Line;
   const int groups = this->Groups.Count();
   const OccluderScene& occluders = this->Scene.Occluders;
   const double epsilon = occluders.Epsilon();

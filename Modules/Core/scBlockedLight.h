@@ -13,7 +13,7 @@
 
 #include "scExtinction.h"
 #include "scLightSampler.h"
-#include "scLitTile.h"
+#include "scLitSums.h"
 #include "scMediumDepth.h"
 #include "scScatteringImage.h"
 
@@ -22,56 +22,6 @@
 
 namespace shadowcones
 {
-
-/// Sums over the cells of one pixel's ray; one a thread.
-class LitSums
-{
-public:
-  explicit LitSums(const ExtinctionGroups& groups);
-  /// The pixel must outlive the sums. @param tEnd where the ray ends.
-  void Add(const LitPixel& pixel, double tEnd);
-  /// What SumUpTo() and Of() need.
-  void Accumulate();
-
-  /// A place on the ray: a cell and a share of it.
-  struct Place
-  {
-    int Cell = 0;
-    double Share = 0.0;
-  };
-  Place PlaceOf(double t) const;
-  double DistanceOf(const Place& place) const
-  {
-    const double begin = this->Pixel->EdgeAt(place.Cell);
-    return begin + place.Share * (this->Pixel->EdgeAt(place.Cell + 1) - begin);
-  }
-  /// Source-weighted mean over wavelengths of all.
-  double Mean() const { return this->Whole; }
-  /// The same up to a place.
-  double SumUpTo(const Place& place) const
-  {
-    const auto cell = static_cast<std::size_t>(place.Cell);
-    return this->Cumulative[cell] + place.Share * (this->Cumulative[cell + 1] - this->Cumulative[cell]);
-  }
-  /// Of one cell, never below 0.
-  double Of(int cell) const
-  {
-    return this->Cumulative[static_cast<std::size_t>(cell) + 1] - this->Cumulative[static_cast<std::size_t>(cell)];
-  }
-  double Width(int cell) const { return this->Pixel->EdgeAt(cell + 1) - this->Pixel->EdgeAt(cell); }
-  const Place& End() const { return this->Last; }
-  const LitPixel& Source() const { return *this->Pixel; }
-  /// The unshadowed term of every group up to the end of the ray.
-  const std::vector<double>& Groups() const { return this->Totals; }
-
-private:
-  const ExtinctionGroups& Extinction;
-  const LitPixel* Pixel = nullptr;
-  Place Last;
-  std::vector<double> Cumulative; ///< up to the beginning of every cell
-  std::vector<double> Totals;
-  double Whole = 0.0;
-};
 
 class BlockedLight
 {
@@ -85,8 +35,8 @@ public:
    * @param lit up to where occlusion rays may start, @param litError its standard error; @param stretches ascending;
    * @param darkest what is left counts as no less than this; @param seed of the pixel.
    */
-  void Estimate(const Camera::Ray& ray, const LitSums& lit, double litError, const std::vector<RayInterval>& stretches,
-    double darkest, std::uint64_t seed);
+  void Estimate(const LitSums& lit, double litError, const std::vector<RayInterval>& stretches, double darkest,
+    std::uint64_t seed);
 
   /// Results of the last estimate: per group, then of the mean over wavelengths.
   const std::vector<double>& Blocked() const { return this->Sums; }
@@ -102,7 +52,7 @@ private:
     double Light = 0.0;
     double Before = 0.0;
   };
-  void Sample(const Camera::Ray& ray, const LitSums& lit, double light, int count, std::uint64_t seed);
+  void Sample(const LitSums& lit, double light, int count, std::uint64_t seed);
 
   const ScatteringScene& Scene;
   const ScatteringOptions& Options;

@@ -44,6 +44,18 @@ struct ExtinctionGroups
   }
 
   int Count() const { return static_cast<int>(this->SigmaT.size()); }
+  /// Radiance at every wavelength from one integral a group. @return its mean over wavelengths.
+  double ToRadiance(const std::vector<double>& integrals, float* radiance) const
+  {
+    double mean = 0.0;
+    for (std::size_t k = 0; k < this->Source.size(); ++k)
+    {
+      const double value = this->Source[k] * integrals[static_cast<std::size_t>(this->GroupOf[k])];
+      radiance[k] = static_cast<float>(value);
+      mean += value / static_cast<double>(this->Source.size());
+    }
+    return mean;
+  }
   /// False where no wavelength scatters any light.
   bool Scatters() const
   {

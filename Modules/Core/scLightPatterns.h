@@ -8,6 +8,7 @@
 
 #include "scLight.h"
 
+#include <bitset>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,11 @@ namespace shadowcones
 
 /// One bit a light sample, in blocks of 64.
 using LightMask = std::vector<std::uint64_t>;
+
+inline int CountBits(std::uint64_t word)
+{
+  return static_cast<int>(std::bitset<64>(word).count());
+}
 
 /// The samples of one point; arrays are padded with zeros to whole blocks of 64. One a thread.
 struct LightView

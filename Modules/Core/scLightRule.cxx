@@ -42,25 +42,39 @@ LightRule::LightRule(const Light& light, int level)
       this->AddCone(light.Radius > 0.0 ? rings : 0);
       break;
     case LightShape::Point:
-      this->AddPoints(1, level);
+      this->AddVertices(1, level);
       break;
     case LightShape::Mesh:
-    {
-      // As many points a triangle as make some 64 in all, and twice as many at every level.
-      const double perTriangle = (64 << level) / static_cast<double>(std::max<std::size_t>(light.Triangles.size(), 1));
-      const int side = static_cast<int>(std::sqrt(perTriangle) + 0.5);
-      if (light.Triangles.empty() || side < 1)
-      {
-        this->AddPoints(light.Triangles.empty() ? light.Vertices.size() : 0, level);
-      }
-      else
-      {
-        this->AddTriangles(side);
-      }
+      this->AddMesh(level);
       break;
-    }
   }
   this->AddOffsets();
+}
+
+void LightRule::AddMesh(int level)
+{
+  const Light& light = this->Source;
+  if (light.Triangles.empty())
+  {
+    this->AddVertices(light.Vertices.size(), level);
+    return;
+  }
+  // As many points a triangle as make some 64 in all, and twice as many at every level.
+  const int side =
+    static_cast<int>(std::sqrt((64 << level) / static_cast<double>(light.Triangles.size())) + 0.5);
+  if (side > 0)
+  {
+    this->AddTriangles(side);
+    return;
+  }
+  // A lattice by the golden ratio covers any list of triangles evenly.
+  const int count = 256 << level;
+  for (int k = 0; k < count; ++k)
+  {
+    const double turns = 0.61803398874989485 * k;
+    const LightSurfaceSample sample = SampleLightArea(light, (k + 0.5) / count, turns - std::floor(turns));
+    this->Places.push_back({ sample.Position, sample.Normal, LightArea(light) / count });
+  }
 }
 
 void LightRule::AddTriangles(int side)
@@ -172,29 +186,13 @@ void LightRule::AddCone(int rings)
   }
 }
 
-void LightRule::AddPoints(std::size_t vertices, int level)
+void LightRule::AddVertices(std::size_t vertices, int level)
 {
-  if (vertices > 0 && vertices <= largestNumberOfVertices)
+  const bool each = vertices <= largestNumberOfVertices;
+  const std::size_t count = each ? vertices : static_cast<std::size_t>(256 << level);
+  for (std::size_t k = 0; k < count; ++k)
   {
-    for (std::size_t k = 0; k < vertices; ++k)
-    {
-      this->Shares.push_back({ (k + 0.5) / vertices, 0.5, 1.0 / vertices });
-    }
-    return;
-  }
-  // A lattice by the golden ratio covers any list of triangles evenly.
-  const int count = 256 << level;
-  for (int k = 0; k < count; ++k)
-  {
-    const double turns = 0.61803398874989485 * k;
-    const double v = turns - std::floor(turns);
-    if (vertices > 0)
-    {
-      this->Shares.push_back({ (k + 0.5) / count, v, 1.0 / count });
-      continue;
-    }
-    const LightSurfaceSample sample = SampleLightArea(this->Source, (k + 0.5) / count, v);
-    this->Places.push_back({ sample.Position, sample.Normal, LightArea(this->Source) / count });
+    this->Shares.push_back({ (k + 0.5) / count, 0.5, 1.0 / count });
   }
 }
 

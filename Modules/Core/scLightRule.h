@@ -20,7 +20,8 @@ namespace shadowcones
 /**
  * Discs: Gauss rings in r^2 by even spokes; rectangles: products of Gauss rules; both over their area, and over their
  * solid angle where the point is near. Spheres and Suns: rings of their cone. Meshes: Gauss rules over each triangle, or
- * a lattice over the area of many; their vertices one by one. Built once, used from any number of threads; the light must outlive it.
+ * a lattice over the area of many; their vertices one by one. Built once, used from any number of threads; the
+ * light must outlive it.
  */
 class LightRule
 {
@@ -56,7 +57,7 @@ public:
     // By solid angle only attenuation and scattering vary over the light, and few points do again.
     return squared > 4.0 || !this->IsByArea(from) ? 0 : (squared > 1.0 ? 1 : 2);
   }
-  /// The points of the rule by area about Center(); none for other lights.
+  /// The points of the rule by area; none for other lights.
   LightPoints AreaPoints() const
   {
     const std::size_t count = this->Places.size();
@@ -64,7 +65,19 @@ public:
     return { x, x + count, x + 2 * count, x + 3 * count, x + 4 * count, x + 5 * count, x + 6 * count,
       static_cast<int>(count) };
   }
-  const Vector3& Center() const { return this->Middle; }
+  /// The rule by area as seen from a point in a box; @p direction of a ray through it, or a surface's normal.
+  LightPointsView ViewFrom(const Vector3& point, const Vector3& direction, const Box& bounds) const
+  {
+    LightPointsView view;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      view.Center[axis] = static_cast<float>(this->Middle[axis] - point[axis]);
+      view.Direction[axis] = static_cast<float>(direction[axis]);
+      view.Low[axis] = static_cast<float>(bounds.Min[axis] - point[axis]);
+      view.High[axis] = static_cast<float>(bounds.Max[axis] - point[axis]);
+    }
+    return view;
+  }
 
   /// Call visit(const IncidentSample&) for every point of the rule; the weights' sum is the light's solid angle.
   template <typename Visitor>
@@ -114,8 +127,9 @@ private:
   void AddDisc(int rings);
   void AddRectangle(int side);
   void AddCone(int rings);
+  void AddMesh(int level);
   void AddTriangles(int side);
-  void AddPoints(std::size_t vertices, int level);
+  void AddVertices(std::size_t vertices, int level);
   void AddOffsets();
   void SetNear(double radius);
 

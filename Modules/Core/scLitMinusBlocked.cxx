@@ -62,7 +62,7 @@ LitMinusBlocked::LitMinusBlocked(const LitMinusBlockedScene& shared, const Prima
 
 void LitMinusBlocked::RenderTile(const TileRange& tile)
 {
-  this->Tile.MoveTo(tile.I0 / LitTile::Side * LitTile::Side, tile.J0 / LitTile::Side * LitTile::Side, HUGE_VAL);
+  this->Tile.MoveTo(tile.I0 / LitTile::Side * LitTile::Side, tile.J0 / LitTile::Side * LitTile::Side);
   for (const TileRange& block : TilesOf({ tile.I0, tile.I1, tile.J0, tile.J1 }, blockSide))
   {
     this->RenderBlock(block);
@@ -77,28 +77,24 @@ void LitMinusBlocked::RenderBlock(const TileRange& block)
   const int i1 = i0 + blockSide - 1;
   const int j1 = j0 + blockSide - 1;
   const int corners[4][2] = { { i0, j0 }, { i1, j0 }, { i1, j1 }, { i0, j1 } };
-  std::array<Camera::Ray, 4> rays;
-  for (std::size_t k = 0; k < 4; ++k)
-  {
-    rays[k] = this->Hits.RayOf(corners[k][0], corners[k][1]);
-  }
   if (this->Beam)
   {
+    std::array<Camera::Ray, 4> rays;
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      rays[k] = this->Hits.RayOf(corners[k][0], corners[k][1]);
+    }
     this->Beam->Gather(rays);
   }
   if (this->Shared.Field)
   {
-    this->CellsInShadow = ~std::uint64_t(0);
     bool alike = true;
     for (std::size_t k = 0; k < 4; ++k)
     {
       this->Tile.Interpolate(corners[k][0], corners[k][1], this->Corners[k]);
       alike = alike && !this->Corners[k].Span.Empty() && this->Corners[k].Span.Faces == this->Corners[0].Span.Faces;
     }
-    if (alike)
-    {
-      this->CellsInShadow = this->Shared.Field->CellsInShadow(rays, this->Corners);
-    }
+    this->CellsInShadow = alike ? this->Shared.Field->CellsInShadow(this->Corners) : ~std::uint64_t(0);
   }
   for (int j = block.J0; j <= block.J1; ++j)
   {
@@ -113,21 +109,16 @@ void LitMinusBlocked::RenderPixel(int i, int j)
 {
   const ScatteringScene& scene = this->Shared.Scene;
   const ScatteringOptions& options = this->Shared.Options;
-  const ExtinctionGroups& groups = this->Shared.Groups;
-  const Camera::Ray ray = this->Hits.RayOf(i, j);
-  const MediumSegment segment = SegmentInside(scene.Fog.Bounds, scene.Occluders, ray, this->Hits.At(i, j));
-  if (!segment.Crosses)
-  {
-    return;
-  }
   this->Tile.Interpolate(i, j, this->Pixel);
-  if (this->Pixel.Span.Empty())
+  const Camera::Ray& ray = this->Pixel.Line;
+  const MediumSegment segment = SegmentInside(scene.Fog.Bounds, scene.Occluders, ray, this->Hits.At(i, j));
+  if (!segment.Crosses || this->Pixel.Span.Empty())
   {
-    return; // all of the ray lies behind the light
+    return; // beside the medium, or behind the light
   }
   this->Sums.Add(this->Pixel, segment.EndOfMarch);
-  std::vector<double> const& lit = this->Sums.Groups();
-  const std::vector<double>* hidden = &this->Hidden;
+  this->Left = this->Sums.Groups();
+  this->Hidden.assign(this->Left.size(), 0.0);
   const std::size_t index = IndexInExtent(options, i, j);
   double variance = 0.0;
   if (options.Mode == ScatteringMode::Guided)
@@ -146,35 +137,29 @@ void LitMinusBlocked::RenderPixel(int i, int j)
     }
     const double darkest = darkestShare * this->Shared.TypicalMean;
     const double litError = 0.5 * this->Pixel.Tolerance * std::max(this->Sums.Mean(), darkest);
-    this->Blocked.Estimate(ray, this->Sums, litError, this->Stretches, darkest,
-      HashSeed(options.Seed, PixelIndex(options, i, j)));
-    hidden = &this->Blocked.Blocked();
+    this->Blocked.Estimate(
+      this->Sums, litError, this->Stretches, darkest, HashSeed(options.Seed, PixelIndex(options, i, j)));
+    this->Hidden = this->Blocked.Blocked();
     variance = this->Blocked.Variance() + litError * litError;
     this->Image.SampleCount[index] = this->Blocked.NumberOfSamples();
     this->OcclusionRays += this->Blocked.NumberOfOcclusionRays();
   }
-  else
+  else if (this->Shared.Field)
   {
-    this->Hidden.assign(lit.size(), 0.0);
-    if (this->Shared.Field)
-    {
-      // Cells of a ray that passes other faces of the medium lie elsewhere.
-      const bool alike = this->Pixel.Span.Faces == this->Corners[0].Span.Faces;
-      this->Image.SampleCount[index] = this->Shared.Field->Walk(
-        ray, this->Sums, alike ? this->CellsInShadow : ~std::uint64_t(0), this->Hidden);
-    }
+    // Cells of a ray that passes other faces of the medium lie elsewhere.
+    const bool alike = this->Pixel.Span.Faces == this->Corners[0].Span.Faces;
+    this->Image.SampleCount[index] =
+      this->Shared.Field->Walk(this->Sums, alike ? this->CellsInShadow : ~std::uint64_t(0), this->Hidden);
   }
 
-  const std::size_t wavelengths = groups.Source.size();
-  double mean = 0.0;
-  for (std::size_t k = 0; k < wavelengths; ++k)
+  for (std::size_t g = 0; g < this->Left.size(); ++g)
   {
-    const auto group = static_cast<std::size_t>(groups.GroupOf[k]);
     // Where all is in shadow an estimate may take a little more than there is.
-    const double value = groups.Source[k] * std::max(lit[group] - (*hidden)[group], 0.0);
-    this->Image.InScattering[index * wavelengths + k] = static_cast<float>(value);
-    mean += value / static_cast<double>(wavelengths);
+    this->Left[g] = std::max(this->Left[g] - this->Hidden[g], 0.0);
   }
+  const ExtinctionGroups& groups = this->Shared.Groups;
+  const double mean =
+    groups.ToRadiance(this->Left, this->Image.InScattering.data() + index * groups.Source.size());
   // An estimate of nothing may stand for something: it is wrong by all of it.
   const double relative = mean > 0.0 ? std::sqrt(variance) / mean : (variance > 0.0 ? 1.0 : 0.0);
   this->Image.RelativeError[index] = options.Mode == ScatteringMode::Guided ? static_cast<float>(relative) : -1.0f;

@@ -63,7 +63,8 @@ private:
   std::vector<RayInterval> Stretches;
   std::array<LitPixel, 4> Corners; ///< of the block
   std::uint64_t CellsInShadow = 0; ///< of the block
-  std::vector<double> Hidden; ///< per group
+  std::vector<double> Hidden; ///< per group, of the light
+  std::vector<double> Left;   ///< per group, without what is hidden
   vtkIdType OcclusionRays = 0;
 };
 

@@ -49,8 +49,16 @@ struct PanelRules
   }
 
   GaussLegendre Rule;
+  GaussLegendre CellRule{ 2 }; ///< of one cell where a density varies
   std::array<std::vector<double>, LitQuadrature::NumberOfPanelLevels> Matrices;
 };
+
+const PanelRules& Panels()
+{
+  static const PanelRules rules;
+  return rules;
+}
+} // anonymous namespace
 
 /// The variable at the edges of the cells: even, or even on both sides of a gap, which the cell before it takes in.
 struct CellVariables
@@ -113,13 +121,6 @@ struct CellVariables
   double WidthBehind;
 };
 
-const PanelRules& Panels()
-{
-  static const PanelRules rules;
-  return rules;
-}
-} // anonymous namespace
-
 LitQuadrature::LitQuadrature(const Light& light, const Medium& medium, const ExtinctionGroups& groups)
   : Source(light)
   , Fog(medium)
@@ -141,15 +142,12 @@ LitAngle::LitAngle(const LitQuadrature& quadrature, const Camera::Ray& ray, cons
   this->Nearest = Dot(quadrature.Center - ray.Origin, ray.Direction);
   const double distance = Length(ray.Origin + this->Nearest * ray.Direction - quadrature.Center);
   this->IsLength = IsAtInfinity(quadrature.Source) || distance > farAway * quadrature.Extent;
-  if (!this->IsLength)
-  {
-    this->Scale = std::max({ distance, smallestDistance * quadrature.Radius, 1e-4 * length });
-  }
   if (this->IsLength)
   {
     this->CellWidth = (span.End - span.Begin) / cells;
     return;
   }
+  this->Scale = std::max({ distance, smallestDistance * quadrature.Radius, 1e-4 * length });
   // The difference of the two angles, from one arc tangent.
   const double a = (span.Begin - this->Nearest) / this->Scale;
   const double b = (span.End - this->Nearest) / this->Scale;
@@ -180,7 +178,7 @@ void LitProfiler::Evaluate(
   this->Depth.SetRay(ray.Origin, ray.Direction, span.MediumBegin, span.End);
   if (!this->Depth.IsHomogeneous())
   {
-    this->IntegrateDensity(ray, span, angle, reference, level, values);
+    this->IntegrateDensity(ray, span, angle, variables, reference, level, values);
     return;
   }
 
@@ -218,14 +216,13 @@ void LitProfiler::Evaluate(
 }
 
 void LitProfiler::IntegrateDensity(const Camera::Ray& ray, const MediumSpan& span, const LitAngle& angle,
-  double reference, const LitLevel& level, float* values)
+  const CellVariables& variables, double reference, const LitLevel& level, float* values)
 {
   // Two Gauss nodes a cell in the optical depth instead of the distance: a layer of fog that is thinner than a cell counts
   // in full, and where it lies.
-  const GaussLegendre rule(2);
+  const GaussLegendre& rule = Panels().CellRule;
   const int groups = this->Quadrature.Groups.Count();
   this->Nodes.resize(static_cast<std::size_t>(groups));
-  const CellVariables variables(angle, span);
   for (int k = 0; k < cells; ++k)
   {
     const double a = reference + static_cast<double>(values[k]);
@@ -294,19 +291,11 @@ void LitProfiler::AddLightPoints(const LightRule& rule, const Vector3& point, co
 {
   const Medium& fog = this->Quadrature.Fog;
   const LightPoints points = rule.AreaPoints();
-  LightPointsView view;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    view.Center[axis] = static_cast<float>(rule.Center()[axis] - point[axis]);
-    view.Direction[axis] = static_cast<float>(direction[axis]);
-    view.Low[axis] = static_cast<float>(fog.Bounds.Min[axis] - point[axis]);
-    view.High[axis] = static_cast<float>(fog.Bounds.Max[axis] - point[axis]);
-  }
   const auto count = static_cast<std::size_t>(points.Count);
   this->Weights.resize(count);
   this->Cosines.resize(count);
   this->Legs.resize(count);
-  LookAtLight(points, view, this->Weights.data(), this->Cosines.data(), this->Legs.data());
+  LookAtLight(points, rule.ViewFrom(point, direction, fog.Bounds), this->Weights.data(), this->Cosines.data(), this->Legs.data());
   const bool isotropic = fog.Phase.Kind == PhaseFunctionKind::Isotropic;
   const double scale = isotropic ? factor * EvaluatePhaseFunction(fog.Phase, 1.0) : factor;
   for (std::size_t k = 0; k < count && !isotropic; ++k)

@@ -87,6 +87,8 @@ struct LitAngle
   double CellFactor() const { return this->CellWidth / this->Scale; }
 };
 
+struct CellVariables;
+
 /// Computes profiles; one a thread.
 class LitProfiler
 {
@@ -98,8 +100,8 @@ public:
   void Evaluate(const Camera::Ray& ray, const MediumSpan& span, double reference, const LitLevel& level, float* values);
 
 private:
-  void IntegrateDensity(const Camera::Ray& ray, const MediumSpan& span, const LitAngle& angle, double reference,
-    const LitLevel& level, float* values);
+  void IntegrateDensity(const Camera::Ray& ray, const MediumSpan& span, const LitAngle& angle,
+    const CellVariables& variables, double reference, const LitLevel& level, float* values);
   /// Add what the light sends by way of the point at @p t to the camera, per unit of length and density, times a factor.
   void AddNode(const Camera::Ray& ray, double t, double factor, const LitLevel& level, double* value);
   void AddLightPoints(const LightRule& rule, const Vector3& point, const Vector3& direction, double cameraLeg,

@@ -70,16 +70,10 @@ LitTile::LitTile(
   }
 }
 
-MediumSpan LitTile::SpanOf(int i, int j) const
-{
-  return this->Quadrature.Spans.Find(this->RayOf(i, j), this->Limit);
-}
-
-void LitTile::MoveTo(int i0, int j0, double limit)
+void LitTile::MoveTo(int i0, int j0)
 {
   this->I0 = i0;
   this->J0 = j0;
-  this->Limit = limit;
   this->Leaves.clear();
   this->Sheets.clear();
   this->Values.clear();
@@ -91,8 +85,8 @@ void LitTile::Interpolate(int i, int j, LitPixel& pixel)
 {
   const auto index = static_cast<std::size_t>((j - this->J0) * Side + i - this->I0);
   const Leaf& leaf = this->Leaves[static_cast<std::size_t>(this->LeafOf[index])];
-  const Camera::Ray ray = this->RayOf(i, j);
-  pixel.Span = this->Quadrature.Spans.Find(ray, this->Limit);
+  pixel.Line = this->RayOf(i, j);
+  pixel.Span = this->Quadrature.Spans.Find(pixel.Line);
   pixel.Reference = leaf.Reference;
   pixel.Tolerance = leaf.Tolerance;
   pixel.Values.resize(this->Quadrature.Layout.Size());
@@ -115,7 +109,7 @@ void LitTile::Interpolate(int i, int j, LitPixel& pixel)
     // It passes a face of the medium that none of the computed rays passes.
     this->Evaluate(i, j, pixel.Span, pixel.Reference, leaf.Level, pixel.Values.data());
   }
-  const LitAngle angle(this->Quadrature, ray, pixel.Span);
+  const LitAngle angle(this->Quadrature, pixel.Line, pixel.Span);
   Multiply(pixel.Values.data() + LitProfileLayout::Edges, static_cast<float>(angle.CellFactor()),
     pixel.Values.size() - LitProfileLayout::Edges);
 }
@@ -249,8 +243,7 @@ bool LitTile::AddSheet(Leaf& leaf, int faces)
   MediumSpan spans[11];
   for (int k = 0; k < 11; ++k)
   {
-    spans[k] = this->Quadrature.Spans.Between(
-      this->RayOf(leaf.I + places[k][0], leaf.J + places[k][1]), this->Limit, faces);
+    spans[k] = this->Quadrature.Spans.Between(this->RayOf(leaf.I + places[k][0], leaf.J + places[k][1]), faces);
     // Rays that run along a face meet its plane far away, or nowhere.
     if (!(std::fabs(spans[k].Begin - leaf.Reference) < far && std::fabs(spans[k].End - leaf.Reference) < far))
     {
@@ -385,7 +378,7 @@ std::vector<double> TypicalLitSums(const LitQuadrature& quadrature, const Camera
   {
     const Camera::Ray ray =
       camera.PixelRay((k % side + 0.5) * width / side, (k / side + 0.5) * height / side, width, height);
-    const MediumSpan span = quadrature.Spans.Find(ray, HUGE_VAL);
+    const MediumSpan span = quadrature.Spans.Find(ray);
     if (span.Empty())
     {
       continue;

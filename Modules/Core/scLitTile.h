@@ -23,6 +23,7 @@ namespace shadowcones
 /// The profile of one pixel's ray: see LitProfileLayout.
 struct LitPixel
 {
+  Camera::Ray Line;
   MediumSpan Span;
   double Reference = 0.0;    ///< edges are distances from here
   double Tolerance = 0.0;    ///< error that was allowed, relative to the sum or a tenth of the image's typical sum
@@ -48,8 +49,8 @@ public:
   LitTile(const LitQuadrature& quadrature, const Camera& camera, int width, int height, double tolerance,
     const std::vector<double>& typical);
 
-  /// Prepare the square whose first pixel is (i0, j0). @param limit no ray of it is of interest beyond this distance.
-  void MoveTo(int i0, int j0, double limit);
+  /// Prepare the square whose first pixel is (i0, j0).
+  void MoveTo(int i0, int j0);
   /// The profile of pixel (i, j), counted over the whole image, in the square.
   void Interpolate(int i, int j, LitPixel& pixel);
 
@@ -76,7 +77,7 @@ private:
   };
 
   Camera::Ray RayOf(int i, int j) const { return this->Eye.PixelRay(i, j, this->Width, this->Height); }
-  MediumSpan SpanOf(int i, int j) const;
+  MediumSpan SpanOf(int i, int j) const { return this->Quadrature.Spans.Find(this->RayOf(i, j)); }
   void Cut(int i, int j, int size, LitLevel level, double tolerance);
   bool Affords(const LitLevel& level) const;
   void RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tolerance);
@@ -94,7 +95,6 @@ private:
   int Height;
   double Tolerance;
   std::vector<double> Smallest; ///< sums of a group below this count as this
-  double Limit = 0.0;
   int I0 = 0;
   int J0 = 0;
   LitProfiler Profiler;

@@ -10,9 +10,8 @@ namespace
 {
 /// Faces of the box are numbered from 0 to 5: twice the axis, one more for the larger coordinate. Then:
 constexpr int atOrigin = 6; ///< of the ray: the camera is inside
-constexpr int atLimit = 7;
-constexpr int atLight = 8; ///< its plane
-constexpr int numberOfFaces = 9;
+constexpr int atLight = 7; ///< its plane, or its sphere
+constexpr int numberOfFaces = 8;
 } // anonymous namespace
 
 MediumSpans::MediumSpans(const Light& light, const Box& bounds)
@@ -29,14 +28,12 @@ double MediumSpans::HalfChord(const Camera::Ray& ray) const
   return std::sqrt(std::max(this->Source.Radius * this->Source.Radius - Dot(nearest, nearest), 0.0));
 }
 
-double MediumSpans::DistanceTo(const Camera::Ray& ray, double limit, int face) const
+double MediumSpans::DistanceTo(const Camera::Ray& ray, int face) const
 {
   switch (face)
   {
     case atOrigin:
       return 0.0;
-    case atLimit:
-      return limit;
     case atLight:
       if (!this->Planar)
       {
@@ -49,12 +46,12 @@ double MediumSpans::DistanceTo(const Camera::Ray& ray, double limit, int face) c
   }
 }
 
-MediumSpan MediumSpans::Find(const Camera::Ray& ray, double limit) const
+MediumSpan MediumSpans::Find(const Camera::Ray& ray) const
 {
   MediumSpan span;
-  span.End = limit;
+  span.End = HUGE_VAL;
   int entry = atOrigin;
-  int exit = atLimit;
+  int exit = atOrigin; // every ray leaves the box through a face
   for (int axis = 0; axis < 3; ++axis)
   {
     const double o = ray.Origin[axis];
@@ -68,8 +65,8 @@ MediumSpan MediumSpans::Find(const Camera::Ray& ray, double limit) const
       continue;
     }
     const int face = 2 * axis + (d > 0.0 ? 0 : 1);
-    const double a = this->DistanceTo(ray, limit, face);
-    const double b = this->DistanceTo(ray, limit, face ^ 1);
+    const double a = this->DistanceTo(ray, face);
+    const double b = this->DistanceTo(ray, face ^ 1);
     if (a > span.Begin)
     {
       span.Begin = a;
@@ -128,16 +125,16 @@ MediumSpan MediumSpans::Find(const Camera::Ray& ray, double limit) const
   return span;
 }
 
-MediumSpan MediumSpans::Between(const Camera::Ray& ray, double limit, int faces) const
+MediumSpan MediumSpans::Between(const Camera::Ray& ray, int faces) const
 {
   const int exit = faces % numberOfFaces;
   const int first = faces / numberOfFaces % numberOfFaces;
   const int entry = faces / (numberOfFaces * numberOfFaces) % numberOfFaces;
   const bool sphere = this->Source.Shape == LightShape::Sphere;
   MediumSpan span;
-  span.Begin = this->DistanceTo(ray, limit, first) + (sphere && first == atLight ? this->HalfChord(ray) : 0.0);
-  span.End = this->DistanceTo(ray, limit, exit) - (sphere && exit == atLight ? this->HalfChord(ray) : 0.0);
-  span.MediumBegin = this->DistanceTo(ray, limit, entry);
+  span.Begin = this->DistanceTo(ray, first) + (sphere && first == atLight ? this->HalfChord(ray) : 0.0);
+  span.End = this->DistanceTo(ray, exit) - (sphere && exit == atLight ? this->HalfChord(ray) : 0.0);
+  span.MediumBegin = this->DistanceTo(ray, entry);
   span.HasGap = faces >= numberOfFaces * numberOfFaces * numberOfFaces;
   span.HalfGap = span.HasGap ? this->HalfChord(ray) : 0.0;
   span.Faces = faces;

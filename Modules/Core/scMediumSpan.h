@@ -34,14 +34,13 @@ class MediumSpans
 public:
   MediumSpans(const Light& light, const Box& bounds);
 
-  /// @param limit the medium is of no interest beyond this distance.
-  MediumSpan Find(const Camera::Ray& ray, double limit) const;
+  MediumSpan Find(const Camera::Ray& ray) const;
   /// Between the planes of the same faces, also where the ray passes beside them: then Begin may exceed End.
-  MediumSpan Between(const Camera::Ray& ray, double limit, int faces) const;
+  MediumSpan Between(const Camera::Ray& ray, int faces) const;
 
 private:
   double HalfChord(const Camera::Ray& ray) const;
-  double DistanceTo(const Camera::Ray& ray, double limit, int face) const;
+  double DistanceTo(const Camera::Ray& ray, int face) const;
 
   const Light& Source;
   const Box& Bounds;

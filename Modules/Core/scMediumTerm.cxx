@@ -72,15 +72,8 @@ void MediumTerm::WriteMarch(std::size_t index)
 {
   this->OcclusionRays += this->Marcher.NumberOfOcclusionRays();
   this->Image.SampleCount[index] = this->Marcher.SampleCount();
-  const std::size_t wavelengths = this->Groups.Source.size();
-  double mean = 0.0;
-  for (std::size_t k = 0; k < wavelengths; ++k)
-  {
-    const double integral = this->Marcher.Integrals()[static_cast<std::size_t>(this->Groups.GroupOf[k])];
-    const double value = this->Groups.Source[k] * integral;
-    this->Image.InScattering[index * wavelengths + k] = static_cast<float>(value);
-    mean += value / static_cast<double>(wavelengths);
-  }
+  float* radiance = this->Image.InScattering.data() + index * this->Groups.Source.size();
+  const double mean = this->Groups.ToRadiance(this->Marcher.Integrals(), radiance);
   const double deviation = std::sqrt(this->Marcher.Variance());
   this->Image.RelativeError[index] =
     this->Strata.Count() < 2 ? -1.0f : (mean > 0.0 ? static_cast<float>(deviation / mean) : 0.0f);

@@ -210,24 +210,14 @@ void SurfaceShader::AddRule(const Vector3& normal)
       { this->AddLit(sample.Direction, sample.Distance, sample.Weight * Dot(sample.Direction, normal)); });
     return;
   }
-  LightPointsView view;
-  const Vector3 center = rule.Center() - this->Point;
-  const Vector3 low = this->Scene.Fog.Bounds.Min - this->Point;
-  const Vector3 high = this->Scene.Fog.Bounds.Max - this->Point;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    view.Center[axis] = static_cast<float>(center[axis]);
-    view.Direction[axis] = static_cast<float>(normal[axis]); // its cosine is that of the surface
-    view.Low[axis] = static_cast<float>(low[axis]);
-    view.High[axis] = static_cast<float>(high[axis]);
-  }
   const LightPoints points = rule.AreaPoints();
   const auto count = static_cast<std::size_t>(points.Count);
   this->RuleValues.resize(3 * count);
   float* weight = this->RuleValues.data();
   float* cosine = weight + count;
   float* leg = cosine + count;
-  LookAtLight(points, view, weight, cosine, leg);
+  // Of the surface's normal the cosine is asked, not of a ray's direction.
+  LookAtLight(points, rule.ViewFrom(this->Point, normal, this->Scene.Fog.Bounds), weight, cosine, leg);
   for (std::size_t k = 0; k < count; ++k)
   {
     weight[k] *= std::max(cosine[k], 0.0f);

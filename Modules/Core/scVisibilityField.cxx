@@ -103,17 +103,16 @@ bool VisibilityField::AnyHidden(const int first[3], const int last[3]) const
   return false;
 }
 
-std::uint64_t VisibilityField::CellsInShadow(
-  const std::array<Camera::Ray, 4>& rays, const std::array<LitPixel, 4>& pixels) const
+std::uint64_t VisibilityField::CellsInShadow(const std::array<LitPixel, 4>& pixels) const
 {
   std::uint64_t bits = 0;
   Box before;
   for (int edge = 0; edge <= LitProfileLayout::Cells; ++edge)
   {
     Box box;
-    for (std::size_t k = 0; k < 4; ++k)
+    for (const LitPixel& pixel : pixels)
     {
-      box.Add(this->ToGrid(rays[k].Origin + pixels[k].EdgeAt(edge) * rays[k].Direction));
+      box.Add(this->ToGrid(pixel.Line.Origin + pixel.EdgeAt(edge) * pixel.Line.Direction));
     }
     Box cell = box;
     cell.Add(before);
@@ -186,10 +185,10 @@ float VisibilityField::HiddenAt(float x, float y, float z, bool& inBrick) const
   return Trilinear(corner, row, slice, fx, fy, fz);
 }
 
-int VisibilityField::Walk(
-  const Camera::Ray& ray, const LitSums& lit, std::uint64_t wanted, std::vector<double>& hidden) const
+int VisibilityField::Walk(const LitSums& lit, std::uint64_t wanted, std::vector<double>& hidden) const
 {
   const LitPixel& pixel = lit.Source();
+  const Camera::Ray& ray = pixel.Line;
   const LitSums::Place end = lit.End();
   const float* edges = pixel.Values.data();
   const Vector3 start = this->ToGrid(ray.Origin + pixel.Reference * ray.Direction);

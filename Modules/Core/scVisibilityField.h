@@ -6,7 +6,7 @@
 #ifndef scVisibilityField_h
 #define scVisibilityField_h
 
-#include "scBlockedLight.h"
+#include "scLitSums.h"
 #include "scVisibilityGrid.h"
 
 #include <array>
@@ -22,15 +22,15 @@ class VisibilityField
 public:
   explicit VisibilityField(const VisibilityGrid& grid);
 
-  /// A bit for each cell of LitProfileLayout where a ray between these four may be in shadow.
-  std::uint64_t CellsInShadow(const std::array<Camera::Ray, 4>& rays, const std::array<LitPixel, 4>& pixels) const;
+  /// A bit for each cell of LitProfileLayout where a ray between those of these four may be in shadow.
+  std::uint64_t CellsInShadow(const std::array<LitPixel, 4>& pixels) const;
 
   /**
-   * What is hidden of the unshadowed light of every group along a ray: the sum over its cells of the light times the
+   * What is hidden of the unshadowed light of every group along the ray: the sum over its cells of the light times the
    * hidden share of the light source, by the midpoint rule, finer where a cell is longer than one of the grid or its
    * bricks. @param wanted bits of the cells to look at. @return the number of places looked at.
    */
-  int Walk(const Camera::Ray& ray, const LitSums& lit, std::uint64_t wanted, std::vector<double>& hidden) const;
+  int Walk(const LitSums& lit, std::uint64_t wanted, std::vector<double>& hidden) const;
 
 private:
   static constexpr int MacroSide = 4; ///< grid cells along a side of a macro cell

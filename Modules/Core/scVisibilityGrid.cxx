@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bitset>
 #include <cmath>
 #include <memory>
 
@@ -54,11 +53,6 @@ Cone WidePenumbraOf(const Cone& disc, const Light& light, const LightExtent& ext
     penumbra.HalfAngle = widest;
   }
   return penumbra;
-}
-
-int CountBits(std::uint64_t word)
-{
-  return static_cast<int>(std::bitset<64>(word).count());
 }
 
 /// Asks for the visible fraction at points anywhere, whether a cone holds them or not.

@@ -24,14 +24,6 @@ struct Scratch
   std::vector<int> Discs; ///< that may hide light
 };
 
-int CountBits(std::uint64_t x)
-{
-  x -= (x >> 1) & 0x5555555555555555ull;
-  x = (x & 0x3333333333333333ull) + ((x >> 2) & 0x3333333333333333ull);
-  x = (x + (x >> 4)) & 0x0F0F0F0F0F0F0F0Full;
-  return static_cast<int>((x * 0x0101010101010101ull) >> 56);
-}
-
 Box Grown(Box box)
 {
   // Points on the faces of the box belong to it, whatever the rounding.

@@ -43,12 +43,18 @@ struct LitScene
     fog.Bounds.Max = { 4.0, 1.0, 1.0 };
     return fog;
   }
+  /// Squares of a size x size image; errors are relative to each ray's own sum.
+  shadowcones::LitTile TileOf(int size, double tolerance) const
+  {
+    const std::vector<double> typical(static_cast<std::size_t>(this->Groups.Count()), 0.0);
+    return { this->Quadrature, this->Eye, size, size, tolerance, typical };
+  }
   /// The profile of one pixel of a size x size image.
   shadowcones::LitPixel PixelOf(int i, int j, int size) const
   {
-    shadowcones::LitTile tile(this->Quadrature, this->Eye, size, size, 1e-3, std::vector<double>(static_cast<std::size_t>(this->Quadrature.Groups.Count()), 0.0));
+    shadowcones::LitTile tile = this->TileOf(size, 1e-3);
     shadowcones::LitPixel pixel;
-    tile.MoveTo(0, 0, HUGE_VAL);
+    tile.MoveTo(0, 0);
     tile.Interpolate(i, j, pixel);
     return pixel;
   }

@@ -16,7 +16,6 @@ struct SunnyRay
 {
   LitScene Scene{ smallmeshes::SunLight({ 0.0, -1.0, 0.0 }, 0.0), 1e-6 };
   smallmeshes::Mesh Plate;
-  Camera::Ray Ray{ { -1.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } };
   LitPixel Pixel = Scene.PixelOf(8, 8, 17);
   LitSums Sums{ Scene.Groups };
   ScatteringOptions Options;
@@ -39,7 +38,7 @@ struct SunnyRay
     const OccluderScene occluders(this->Plate.View());
     const ScatteringScene scene{ occluders, this->Scene.Source, this->Scene.Fog, this->Scene.Eye };
     BlockedLight blocked(scene, this->Options, this->Scene.Groups);
-    blocked.Estimate(this->Ray, this->Sums, 0.0, stretches, 0.0, seed);
+    blocked.Estimate(this->Sums, 0.0, stretches, 0.0, seed);
     const double lit = this->Sums.Groups()[0];
     const double mean = this->Sums.Mean();
     return { blocked.Blocked()[0] / lit, std::sqrt(blocked.Variance()) / mean, blocked.NumberOfSamples(),

@@ -16,7 +16,7 @@ LitPixel FinePixel(const LitScene& scene, int i, int j)
 {
   const Camera::Ray ray = scene.Eye.PixelRay(i, j, size, size);
   LitPixel pixel;
-  pixel.Span = scene.Quadrature.Spans.Find(ray, HUGE_VAL);
+  pixel.Span = scene.Quadrature.Spans.Find(ray);
   pixel.Reference = pixel.Span.Begin;
   pixel.Values.assign(scene.Quadrature.Layout.Size(), 0.0f);
   if (!pixel.Span.Empty())
@@ -42,13 +42,13 @@ TEST(LitTile, AgreesWithAFineRuleAtEveryDistance)
       smallmeshes::SphereLight({ 1.0, 2.0, 0.0 }, 0.4), smallmeshes::SunLight({ 0.3, -1.0, 0.2 }, 0.01) })
   {
     const LitScene scene(light, 0.2, 0.1);
-    LitTile tile(scene.Quadrature, scene.Eye, size, size, tolerance, std::vector<double>(static_cast<std::size_t>(scene.Quadrature.Groups.Count()), 0.0));
+    LitTile tile = scene.TileOf(size, tolerance);
     LitPixel pixel;
     double worst = 0.0;
     double shift = 0.0;
     for (const int first : { 0, LitTile::Side })
     {
-      tile.MoveTo(first, 0, HUGE_VAL);
+      tile.MoveTo(first, 0);
       for (int k = 0; k < 48; ++k)
       {
         const int i = first + 7 * k % LitTile::Side;
@@ -104,15 +104,15 @@ TEST(LitTile, NothingIsLitBehindTheLight)
 TEST(LitTile, DoesNotRememberWhereItWas)
 {
   const LitScene scene(smallmeshes::DiscLight({ 2.0, 1.5, 0.0 }, { 0.0, -1.0, 0.0 }, 0.5));
-  LitTile tile(scene.Quadrature, scene.Eye, size, size, 2e-3, std::vector<double>(static_cast<std::size_t>(scene.Quadrature.Groups.Count()), 0.0));
+  LitTile tile = scene.TileOf(size, 2e-3);
   LitPixel first;
-  tile.MoveTo(0, 0, HUGE_VAL);
+  tile.MoveTo(0, 0);
   tile.Interpolate(20, 17, first);
   LitPixel other;
-  tile.MoveTo(32, 32, HUGE_VAL);
+  tile.MoveTo(32, 32);
   tile.Interpolate(40, 40, other);
   LitPixel again;
-  tile.MoveTo(0, 0, HUGE_VAL);
+  tile.MoveTo(0, 0);
   tile.Interpolate(3, 17, again);
   tile.Interpolate(20, 17, again);
   EXPECT_EQ(first.Values, again.Values);

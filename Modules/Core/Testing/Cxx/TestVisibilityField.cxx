@@ -40,7 +40,6 @@ VisibilityGrid SampleGrid(const std::function<double(const Vector3&)>& visibilit
 struct EvenRay
 {
   LitScene Scene{ smallmeshes::SunLight({ 0.0, -1.0, 0.0 }, 0.0), 1e-6 };
-  Camera::Ray Ray{ { -1.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } };
   LitPixel Pixel = Scene.PixelOf(8, 8, 17);
   LitSums Sums{ Scene.Groups };
 
@@ -51,13 +50,13 @@ struct EvenRay
     this->Sums.Add(this->Pixel, end);
     std::vector<double> hidden(1, 0.0);
     const VisibilityField field(grid);
-    EXPECT_GE(field.Walk(this->Ray, this->Sums, wanted, hidden), 0);
+    EXPECT_GE(field.Walk(this->Sums, wanted, hidden), 0);
     return hidden[0] / all;
   }
   std::uint64_t CellsInShadow(const VisibilityGrid& grid) const
   {
     return VisibilityField(grid).CellsInShadow(
-      { { this->Ray, this->Ray, this->Ray, this->Ray } }, { { this->Pixel, this->Pixel, this->Pixel, this->Pixel } });
+      { { this->Pixel, this->Pixel, this->Pixel, this->Pixel } });
   }
 };
 } // namespace
