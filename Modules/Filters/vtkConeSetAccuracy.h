@@ -70,50 +70,51 @@ public:
   ///@{
   /// The cone set, input port 1. Required.
   void SetConeSetConnection(vtkAlgorithmOutput* coneSet);
-  void SetConeSetData(vtkDataObject* coneSet);
+  void SetConeSetData(vtkDataObject* coneSet); ///< The cone set as a data object, without a pipeline.
   ///@}
 
   ///@{
   /// The mesh that casts the shadow, input port 2. Required.
   void SetMeshConnection(vtkAlgorithmOutput* mesh);
-  void SetMeshData(vtkDataObject* mesh);
+  void SetMeshData(vtkDataObject* mesh); ///< The mesh as a data object, without a pipeline.
   ///@}
 
   ///@{
   /// The light, input port 3. Required.
   void SetLightConnection(vtkAlgorithmOutput* light);
-  void SetLightData(vtkDataObject* light);
+  void SetLightData(vtkDataObject* light); ///< The light as a data object, without a pipeline.
   ///@}
 
   ///@{
   /// Samples to draw where input port 0 is not connected, 0 to 1e9; memory is about 100 bytes each. Default 50000.
   vtkSetMacro(NumberOfSamples, vtkIdType);
-  vtkGetMacro(NumberOfSamples, vtkIdType);
+  vtkGetMacro(NumberOfSamples, vtkIdType); ///< Samples that are drawn where input port 0 is not connected.
   ///@}
 
   ///@{
   /// Points of the light to look at from each sample, 1 to 65536. Default 64.
   vtkSetMacro(NumberOfLightSamples, int);
-  vtkGetMacro(NumberOfLightSamples, int);
+  vtkGetMacro(NumberOfLightSamples, int); ///< Points of the light to look at from each sample.
   ///@}
 
   ///@{
   /// The box to draw samples in: x from, to, y from, to, z from, to, world units. Default (1, -1, 1, -1, 1, -1), which
   /// stands for the joint bounds of mesh and light (without a Sun). Valid: from at most to.
   vtkSetVector6Macro(Bounds, double);
+  /// The box to draw samples in, world units: x from, to, y from, to, z from, to.
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
   ///@{
   /// Rows of the table along Depth, 1 to 100000, of one width from 0 to the largest depth. Default 16.
   vtkSetMacro(NumberOfDepthBins, int);
-  vtkGetMacro(NumberOfDepthBins, int);
+  vtkGetMacro(NumberOfDepthBins, int); ///< Rows of the table along Depth.
   ///@}
 
   ///@{
   /// Any integer: chooses the samples and the points of the light. Default 1.
   vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
+  vtkGetMacro(Seed, int); ///< Number that chooses the samples and the points of the light.
   ///@}
 
 protected:

@@ -49,7 +49,7 @@ public:
   ///@{
   /// Photon paths, input port 1. Optional.
   void SetPhotonPathConnection(vtkAlgorithmOutput* paths);
-  void SetPhotonPathData(vtkDataObject* paths);
+  void SetPhotonPathData(vtkDataObject* paths); ///< The photon paths as a data object, without a pipeline.
   ///@}
 
   enum TuningType
@@ -67,56 +67,61 @@ public:
   /// surfels for vtkConeSetProbe, RadiusScale so that lit paths caught equal blocked paths missed, then the best intersection
   /// over union. Default Manual.
   vtkSetMacro(Tuning, int);
-  vtkGetMacro(Tuning, int);
-  void SetTuningToManual() { this->SetTuning(MANUAL); }
+  vtkGetMacro(Tuning, int);                             ///< 0 Manual, 1 Conservative, 2 Preview, 3 Soft.
+  void SetTuningToManual() { this->SetTuning(MANUAL); } ///< Every parameter as it is set.
+  /// Bounds: the least leak with few cones. Needs photon paths.
   void SetTuningToConservative() { this->SetTuning(CONSERVATIVE); }
+  /// The shadow itself, as much lost as leaked. Needs photon paths.
   void SetTuningToPreview() { this->SetTuning(PREVIEW); }
-  void SetTuningToSoft() { this->SetTuning(SOFT); }
+  void SetTuningToSoft() { this->SetTuning(SOFT); } ///< Base discs as surfels for vtkConeSetProbe. Needs photon paths.
   ///@}
 
   ///@{
   /// p1: nearest vectors that a cone is built from, at least 3 and at least MinimumVectorsPerCone. Default 100.
   vtkSetMacro(NumberOfNeighbors, int);
-  vtkGetMacro(NumberOfNeighbors, int);
+  vtkGetMacro(NumberOfNeighbors, int); ///< Nearest vectors that a cone is built from.
   ///@}
 
   ///@{
   /// p2: angular bins around the seed, at least 1. Default 20.
   vtkSetMacro(NumberOfSectors, int);
-  vtkGetMacro(NumberOfSectors, int);
+  vtkGetMacro(NumberOfSectors, int); ///< Angular bins around the seed.
   ///@}
 
   ///@{
   /// p3: vectors in each ring, at least 1. Default 16.
   vtkSetMacro(PointsPerRing, int);
-  vtkGetMacro(PointsPerRing, int);
+  vtkGetMacro(PointsPerRing, int); ///< Vectors in each ring.
   ///@}
 
   ///@{
   /// p4: fewer vectors make no cone, at least 1. Default 20.
   vtkSetMacro(MinimumVectorsPerCone, int);
-  vtkGetMacro(MinimumVectorsPerCone, int);
+  vtkGetMacro(MinimumVectorsPerCone, int); ///< Fewer vectors than this make no cone.
   ///@}
 
   ///@{
   /// Largest variance over mean of a ring's sector counts, 0 or more. About 1 is even; 1.25 is strict, 1.6 to 2 covers more.
   /// Default 1.6.
   vtkSetMacro(VarianceThreshold, double);
-  vtkGetMacro(VarianceThreshold, double);
+  vtkGetMacro(VarianceThreshold, double); ///< Largest variance over mean of a ring's sector counts.
   ///@}
 
   ///@{
   /// Largest rms distance of a ring's vectors from the plane over the ring's radius (section 3.2.3); 0: no test. A test makes fewer
   /// and flatter cones and costs recall where thin parts lie behind one another. Default 0.
   vtkSetMacro(PlanarityThreshold, double);
+  /// Largest rms distance of a ring from the plane over its radius; 0: no test.
   vtkGetMacro(PlanarityThreshold, double);
   ///@}
 
   ///@{
   /// Multiply the base radius by the cosine between plane normal and axis (figure 5). Off for bounds. Default on.
   vtkSetMacro(CosineCorrection, bool);
+  /// Whether the base radius is multiplied by the cosine between plane normal and axis.
   vtkGetMacro(CosineCorrection, bool);
-  vtkBooleanMacro(CosineCorrection, bool);
+  /// Multiply the base radius by the cosine, as in figure 5.
+  vtkBooleanMacro(CosineCorrection, bool); ///< Leave the base radius as it is: for bounds.
   ///@}
 
   enum ExpansionType
@@ -130,37 +135,41 @@ public:
   /// RadiusRatio: the disc of the vectors' ends over the base; finds converging sets. LightGeometry: the outer penumbra cone of
   /// the base disc under the light, which needs no sampling. Default MaximumDeviation.
   vtkSetMacro(Expansion, int);
-  vtkGetMacro(Expansion, int);
+  vtkGetMacro(Expansion, int); ///< 0 MaximumDeviation, 1 RadiusRatio, 2 LightGeometry.
+  /// The largest angle between a vector and their mean.
   void SetExpansionToMaximumDeviation() { this->SetExpansion(MAXIMUM_DEVIATION); }
+  /// From the disc of the vectors' ends over the base.
   void SetExpansionToRadiusRatio() { this->SetExpansion(RADIUS_RATIO); }
+  /// The outer penumbra cone of the base disc under the light.
   void SetExpansionToLightGeometry() { this->SetExpansion(LIGHT_GEOMETRY); }
   ///@}
 
   ///@{
   /// HalfAngle is this share of the angle found, 0..1 (section 3.3.1). Default 1.
   vtkSetMacro(ExpansionFraction, double);
-  vtkGetMacro(ExpansionFraction, double);
+  vtkGetMacro(ExpansionFraction, double); ///< HalfAngle is this share of the angle found, 0..1.
   ///@}
 
   ///@{
   /// Factor on the base radius, above 0. Default 1.
   vtkSetMacro(RadiusScale, double);
-  vtkGetMacro(RadiusScale, double);
+  vtkGetMacro(RadiusScale, double); ///< Factor on the base radius.
   ///@}
 
   ///@{
   /// Shrink each base to the largest radius inside which at most this share of the photon paths is lit, 0..1; 1: off. Needs photon
   /// paths. Smaller values keep bases from spilling over edges (figure 3b) and cost recall where parts are thin. Default 1.
   vtkSetMacro(MaximumOverspill, double);
-  vtkGetMacro(MaximumOverspill, double);
+  vtkGetMacro(MaximumOverspill, double); ///< Largest share of lit photon paths through a base, 0..1; 1: off.
   ///@}
 
   ///@{
   /// On: neighbours come from all vectors and covered ones only stop being seeds, so that cones overlap: better bounds. Off:
   /// covered vectors leave the set, as in the paper. Default off.
   vtkSetMacro(Overlap, bool);
-  vtkGetMacro(Overlap, bool);
-  vtkBooleanMacro(Overlap, bool);
+  vtkGetMacro(Overlap, bool); ///< Whether cones may overlap.
+  /// Let cones overlap: better bounds.
+  vtkBooleanMacro(Overlap, bool); ///< Covered vectors leave the set, as in the paper.
   ///@}
 
 protected:

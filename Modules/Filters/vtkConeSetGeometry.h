@@ -39,41 +39,44 @@ public:
   /// Where cones end. Length: at a height above their base. Plane: where their lines meet a plane. Box: where their lines leave
   /// a box. Default Length.
   vtkSetMacro(Cut, int);
-  vtkGetMacro(Cut, int);
-  void SetCutToLength() { this->SetCut(CUT_LENGTH); }
-  void SetCutToPlane() { this->SetCut(CUT_PLANE); }
-  void SetCutToBox() { this->SetCut(CUT_BOX); }
+  vtkGetMacro(Cut, int);                              ///< 0 Length, 1 Plane, 2 Box.
+  void SetCutToLength() { this->SetCut(CUT_LENGTH); } ///< End cones at Length above their base.
+  void SetCutToPlane() { this->SetCut(CUT_PLANE); }   ///< End cones at the plane through PlaneOrigin with PlaneNormal.
+  void SetCutToBox() { this->SetCut(CUT_BOX); }       ///< End cones where they leave BoxBounds.
   ///@}
 
   ///@{
   /// Length along the axis, world units, 0 or more; with Plane and Box the longest that they leave. 0: the diagonal of the cone
   /// set's bounds (of a single cone ten base radii), with Plane and Box four times that. Default 0.
   vtkSetMacro(Length, double);
-  vtkGetMacro(Length, double);
+  vtkGetMacro(Length, double); ///< Length along the axis, world units; 0: automatic.
   ///@}
 
   ///@{
   /// A point of the plane that cuts. Default (0, 0, 0).
   vtkSetVector3Macro(PlaneOrigin, double);
+  /// A point of the plane that cuts, world units.
   vtkGetVector3Macro(PlaneOrigin, double);
   ///@}
 
   ///@{
   /// Normal of the plane that cuts, any length but 0. Default (0, 1, 0).
   vtkSetVector3Macro(PlaneNormal, double);
+  /// Normal of the plane that cuts.
   vtkGetVector3Macro(PlaneNormal, double);
   ///@}
 
   ///@{
   /// The box that cuts: xmin, xmax, ymin, ymax, zmin, zmax, ascending. Default -1, 1 on each axis.
   vtkSetVector6Macro(BoxBounds, double);
+  /// The box that cuts, world units: xmin, xmax, ymin, ymax, zmin, zmax.
   vtkGetVector6Macro(BoxBounds, double);
   ///@}
 
   ///@{
   /// Lines around a cone, at least 3. Default 24.
   vtkSetMacro(Resolution, int);
-  vtkGetMacro(Resolution, int);
+  vtkGetMacro(Resolution, int); ///< Lines around a cone.
   ///@}
 
 protected:

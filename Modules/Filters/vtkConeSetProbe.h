@@ -54,19 +54,19 @@ public:
   ///@{
   /// The cone set, input port 1.
   void SetConeSetConnection(vtkAlgorithmOutput* cones);
-  void SetConeSetData(vtkDataObject* cones);
+  void SetConeSetData(vtkDataObject* cones); ///< The cone set as a data object, without a pipeline.
   ///@}
 
   ///@{
   /// The light, input port 2.
   void SetLightConnection(vtkAlgorithmOutput* light);
-  void SetLightData(vtkDataObject* light);
+  void SetLightData(vtkDataObject* light); ///< The light as a data object, without a pipeline.
   ///@}
 
   ///@{
   /// The mesh, input port 3. Required for Exact, not used by Soft.
   void SetMeshConnection(vtkAlgorithmOutput* mesh);
-  void SetMeshData(vtkDataObject* mesh);
+  void SetMeshData(vtkDataObject* mesh); ///< The mesh as a data object, without a pipeline.
   ///@}
 
   enum MethodType
@@ -77,9 +77,9 @@ public:
   ///@{
   /// What hides the light. Exact: the mesh, asked inside cones only. Soft: the base discs of the cones. Default Exact.
   vtkSetMacro(Method, int);
-  vtkGetMacro(Method, int);
-  void SetMethodToExact() { this->SetMethod(EXACT); }
-  void SetMethodToSoft() { this->SetMethod(SOFT); }
+  vtkGetMacro(Method, int);                           ///< 0 Exact, 1 Soft.
+  void SetMethodToExact() { this->SetMethod(EXACT); } ///< Ask the mesh, inside cones only.
+  void SetMethodToSoft() { this->SetMethod(SOFT); }   ///< Ask the base discs of the cones; needs no mesh.
   ///@}
 
   enum AssociationType
@@ -90,29 +90,31 @@ public:
   ///@{
   /// Where to ask: at points, or at the centres of cells; the arrays go to the data of the same. Default Points.
   vtkSetMacro(Association, int);
-  vtkGetMacro(Association, int);
-  void SetAssociationToPoints() { this->SetAssociation(POINTS); }
+  vtkGetMacro(Association, int);                                  ///< 0 Points, 1 Cells.
+  void SetAssociationToPoints() { this->SetAssociation(POINTS); } ///< Ask at points; the arrays go to the point data.
+  /// Ask at the centres of cells; the arrays go to the cell data.
   void SetAssociationToCells() { this->SetAssociation(CELLS); }
   ///@}
 
   ///@{
   /// Samples of the light for each point, 1 to 65536. Time grows with it; a point light takes one. Default 64.
   vtkSetMacro(NumberOfLightSamples, int);
-  vtkGetMacro(NumberOfLightSamples, int);
+  vtkGetMacro(NumberOfLightSamples, int); ///< Samples of the light for each point.
   ///@}
 
   ///@{
   /// Light from below a surface is hidden by it, where the data set has active normals. Turn off for normals that point
   /// inward. Default on.
   vtkSetMacro(UseNormals, bool);
-  vtkGetMacro(UseNormals, bool);
-  vtkBooleanMacro(UseNormals, bool);
+  vtkGetMacro(UseNormals, bool); ///< Whether light from below a surface is hidden by it.
+  /// Surfaces with active normals hide light that comes from below.
+  vtkBooleanMacro(UseNormals, bool); ///< Leave normals alone, for those that point inward.
   ///@}
 
   ///@{
   /// Seed of the light samples, any integer. Default 1.
   vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
+  vtkGetMacro(Seed, int); ///< Seed of the light samples.
   ///@}
 
 protected:

@@ -73,11 +73,12 @@ public:
    * What makes one occluder. Default: Automatic.
    */
   vtkSetMacro(LabelBy, int);
-  vtkGetMacro(LabelBy, int);
+  vtkGetMacro(LabelBy, int); ///< 0 Automatic, 1 Component, 2 Block, 3 Whole.
+  /// Block for composite inputs, Component for anything else.
   void SetLabelByToAutomatic() { this->SetLabelBy(AUTOMATIC); }
-  void SetLabelByToComponent() { this->SetLabelBy(COMPONENT); }
-  void SetLabelByToBlock() { this->SetLabelBy(BLOCK); }
-  void SetLabelByToWhole() { this->SetLabelBy(WHOLE); }
+  void SetLabelByToComponent() { this->SetLabelBy(COMPONENT); } ///< Triangles that share a point are one occluder.
+  void SetLabelByToBlock() { this->SetLabelBy(BLOCK); }         ///< Each block that has triangles is one occluder.
+  void SetLabelByToWhole() { this->SetLabelBy(WHOLE); }         ///< All triangles are one occluder.
   ///@}
 
   ///@{
@@ -86,6 +87,7 @@ public:
    * exactly the same coordinates. Default: 1e-9, which is rounding in double precision. Valid range: 0 to 0.1.
    */
   vtkSetMacro(WeldTolerance, double);
+  /// Distance within which points are one, as a fraction of the diagonal of the bounds.
   vtkGetMacro(WeldTolerance, double);
   ///@}
 
@@ -95,8 +97,9 @@ public:
    * winding. Default: on.
    */
   vtkSetMacro(Orient, bool);
-  vtkGetMacro(Orient, bool);
-  vtkBooleanMacro(Orient, bool);
+  vtkGetMacro(Orient, bool); ///< Whether closed surfaces are turned outward and open ones made consistent.
+  /// Turn closed surfaces outward and make open ones consistent.
+  vtkBooleanMacro(Orient, bool); ///< Every triangle keeps its winding.
   ///@}
 
 protected:

@@ -50,20 +50,20 @@ public:
   ///@{
   /// The light, input port 1. Required.
   void SetLightConnection(vtkAlgorithmOutput* light);
-  void SetLightData(vtkDataObject* light);
+  void SetLightData(vtkDataObject* light); ///< The light as a data object, without a pipeline.
   ///@}
 
   ///@{
   /// Photons to emit, 0 or more; used where TargetNumberOfVectors is 0. Default 40000.
   vtkSetMacro(NumberOfPhotons, vtkIdType);
-  vtkGetMacro(NumberOfPhotons, vtkIdType);
+  vtkGetMacro(NumberOfPhotons, vtkIdType); ///< Photons to emit where TargetNumberOfVectors is 0.
   ///@}
 
   ///@{
   /// Emit photons until so many vectors are stored (the last photon may store a few more); 0: emit NumberOfPhotons.
   /// Gives up, with a warning, after 1000 photons a vector. Default 0.
   vtkSetMacro(TargetNumberOfVectors, vtkIdType);
-  vtkGetMacro(TargetNumberOfVectors, vtkIdType);
+  vtkGetMacro(TargetNumberOfVectors, vtkIdType); ///< Vectors to store; 0: as many as NumberOfPhotons give.
   ///@}
 
   enum StorageType
@@ -76,15 +76,17 @@ public:
   /// open sheet (the paper's choice). HitPoint: where the path first meets the occluder, so that cones bound the shadow inside
   /// the occluder too. Default BackSide.
   vtkSetMacro(Storage, int);
-  vtkGetMacro(Storage, int);
+  vtkGetMacro(Storage, int); ///< 0 BackSide, 1 HitPoint.
+  /// Store vectors where light would leave the occluder, as in the paper.
   void SetStorageToBackSide() { this->SetStorage(BACK_SIDE); }
+  /// Store vectors where light meets the occluder: for bounds.
   void SetStorageToHitPoint() { this->SetStorage(HIT_POINT); }
   ///@}
 
   ///@{
   /// Any integer: chooses the photons. Default 1.
   vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
+  vtkGetMacro(Seed, int); ///< Number that chooses the photons.
   ///@}
 
 protected:

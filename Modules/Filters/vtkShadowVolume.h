@@ -46,13 +46,14 @@ public:
   /// Cells along the longest side of a surface's grid, 4 to 1024. Time grows with its square, memory with its cube.
   /// Default 64.
   vtkSetMacro(Resolution, int);
-  vtkGetMacro(Resolution, int);
+  vtkGetMacro(Resolution, int); ///< Cells along the longest side of a surface's grid.
   ///@}
 
   ///@{
   /// The box that cuts the surfaces, world units: x from, to, y from, to, z from, to; from must be below to. Surfaces
   /// are closed at its faces. Default: 1, -1, 1, -1, 1, -1, which stands for no box: cones end by Length alone.
   vtkSetVector6Macro(Bounds, double);
+  /// The box that cuts the surfaces, world units: x from, to, y from, to, z from, to.
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
@@ -60,7 +61,7 @@ public:
   /// Distance from their base at which cones are cut, world units, 0 or more. 0: where they leave Bounds or, without
   /// Bounds, at the diagonal of the box around all base discs. Default 0.
   vtkSetMacro(Length, double);
-  vtkGetMacro(Length, double);
+  vtkGetMacro(Length, double); ///< Distance from their base at which cones are cut, world units; 0: automatic.
   ///@}
 
   enum UmbraType
@@ -75,16 +76,17 @@ public:
   /// gaps between the discs let light through. It needs the light's exact shape in the field data and takes longer.
   /// Default InnerCones.
   vtkSetMacro(Umbra, int);
-  vtkGetMacro(Umbra, int);
-  void SetUmbraToInnerCones() { this->SetUmbra(INNER_CONES); }
-  void SetUmbraToBaseDiscs() { this->SetUmbra(BASE_DISCS); }
+  vtkGetMacro(Umbra, int);                                     ///< 0 InnerCones, 1 BaseDiscs.
+  void SetUmbraToInnerCones() { this->SetUmbra(INNER_CONES); } ///< What each base disc alone puts in full shadow.
+  void SetUmbraToBaseDiscs() { this->SetUmbra(BASE_DISCS); }   ///< What all base discs of an occluder hide together.
   ///@}
 
   ///@{
   /// On: a closed surface for each "OccluderId", which overlap where shadows do. Off: one for all. Default on.
   vtkSetMacro(PerOccluder, bool);
-  vtkGetMacro(PerOccluder, bool);
-  vtkBooleanMacro(PerOccluder, bool);
+  vtkGetMacro(PerOccluder, bool); ///< Whether each occluder has a surface of its own.
+  /// A closed surface for each occluder.
+  vtkBooleanMacro(PerOccluder, bool); ///< One closed surface for all.
   ///@}
 
 protected:

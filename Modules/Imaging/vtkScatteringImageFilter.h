@@ -118,7 +118,7 @@ public:
    * The light, input port 1. Required.
    */
   void SetLightConnection(vtkAlgorithmOutput* light);
-  void SetLightData(vtkDataObject* light);
+  void SetLightData(vtkDataObject* light); ///< The light as a data object, without a pipeline.
   ///@}
 
   ///@{
@@ -126,7 +126,7 @@ public:
    * The cone set, input port 2. Required by Medium, Fast and Soft, used by Guided and Volume, not by BruteForce.
    */
   void SetConeSetConnection(vtkAlgorithmOutput* cones);
-  void SetConeSetData(vtkDataObject* cones);
+  void SetConeSetData(vtkDataObject* cones); ///< The cone set as a data object, without a pipeline.
   ///@}
 
   ///@{
@@ -134,7 +134,7 @@ public:
    * The visibility volume, input port 3. Required by Volume, not used by the others.
    */
   void SetVisibilityVolumeConnection(vtkAlgorithmOutput* volume);
-  void SetVisibilityVolumeData(vtkDataObject* volume);
+  void SetVisibilityVolumeData(vtkDataObject* volume); ///< The visibility volume as a data object, without a pipeline.
   ///@}
 
   ///@{
@@ -142,7 +142,7 @@ public:
    * The density of the medium, input port 4. Optional, used in every mode; nullptr: 1 everywhere.
    */
   void SetDensityConnection(vtkAlgorithmOutput* density);
-  void SetDensityData(vtkDataObject* density);
+  void SetDensityData(vtkDataObject* density); ///< The density as a data object, without a pipeline.
   ///@}
 
   ///@{
@@ -152,7 +152,7 @@ public:
    * sphere around the mesh's bounds (without a mesh: the medium's) with a view angle of 30 degrees.
    */
   virtual void SetCamera(vtkCamera* camera);
-  vtkGetObjectMacro(Camera, vtkCamera);
+  vtkGetObjectMacro(Camera, vtkCamera); ///< The camera, or None for an automatic one.
   ///@}
 
   ///@{
@@ -160,6 +160,7 @@ public:
    * Width and height of the image in pixels. The aspect ratio follows from them. Default: 256, 256. Valid: at least 1.
    */
   vtkSetVector2Macro(Resolution, int);
+  /// Width and height of the image, pixels.
   vtkGetVector2Macro(Resolution, int);
   ///@}
 
@@ -168,13 +169,13 @@ public:
    * What occlusion is taken from, as described above. Default: Guided.
    */
   vtkSetMacro(Mode, int);
-  vtkGetMacro(Mode, int);
-  void SetModeToBruteForce() { this->SetMode(BruteForce); }
-  void SetModeToMedium() { this->SetMode(Medium); }
-  void SetModeToFast() { this->SetMode(Fast); }
-  void SetModeToGuided() { this->SetMode(Guided); }
-  void SetModeToSoft() { this->SetMode(Soft); }
-  void SetModeToVolume() { this->SetMode(Volume); }
+  vtkGetMacro(Mode, int); ///< 0 BruteForce, 1 Medium, 2 Fast, 3 Guided, 4 Soft, 5 Volume.
+  void SetModeToBruteForce() { this->SetMode(BruteForce); } ///< A march with occlusion rays everywhere.
+  void SetModeToMedium() { this->SetMode(Medium); }         ///< A march with occlusion rays inside the cones.
+  void SetModeToFast() { this->SetMode(Fast); }             ///< A march without occlusion rays: dark inside the cones.
+  void SetModeToGuided() { this->SetMode(Guided); } ///< Unshadowed light minus what is blocked, to RelativeErrorGoal.
+  void SetModeToSoft() { this->SetMode(Soft); }     ///< Blocked light from the cones alone, without the mesh.
+  void SetModeToVolume() { this->SetMode(Volume); } ///< Blocked light from a visibility volume.
   ///@}
 
   ///@{
@@ -184,7 +185,7 @@ public:
    * brightness. Default: 0.01. Valid: 0 and above; 0 takes MaximumSamples in every pixel that a cone reaches.
    */
   vtkSetMacro(RelativeErrorGoal, double);
-  vtkGetMacro(RelativeErrorGoal, double);
+  vtkGetMacro(RelativeErrorGoal, double); ///< Guided: the "RelativeError" of the medium term to reach in each pixel.
   ///@}
 
   ///@{
@@ -192,7 +193,7 @@ public:
    * Guided: light samples of a pixel, at most, each with one occlusion ray. Default: 1024. Valid: at least 1.
    */
   vtkSetMacro(MaximumSamples, int);
-  vtkGetMacro(MaximumSamples, int);
+  vtkGetMacro(MaximumSamples, int); ///< Guided: light samples of a pixel, at most.
   ///@}
 
   ///@{
@@ -202,6 +203,7 @@ public:
    * Default: 65, 65, 65. Valid: at least 2 each, at most 2^31 - 1 together.
    */
   vtkSetVector3Macro(SoftDimensions, int);
+  /// Soft: points of the grid along x, y and z.
   vtkGetVector3Macro(SoftDimensions, int);
   ///@}
 
@@ -210,7 +212,7 @@ public:
    * Soft: samples of the light for each point of the grid. Default: 64. Valid: 1 to 65,536.
    */
   vtkSetMacro(NumberOfSoftLightSamples, int);
-  vtkGetMacro(NumberOfSoftLightSamples, int);
+  vtkGetMacro(NumberOfSoftLightSamples, int); ///< Soft: samples of the light for each point of the grid.
   ///@}
 
   ///@{
@@ -219,9 +221,10 @@ public:
    * sets the sample with an index from 0, the others keep SigmaS. Default: 0.1. Valid: 0 and above.
    */
   virtual void SetSigmaS(double sigmaS);
-  vtkGetMacro(SigmaS, double);
+  vtkGetMacro(SigmaS, double); ///< Scattering coefficient of wavelengths that have none of their own, 1 / world unit.
+  /// Scattering coefficient of one wavelength sample, index from 0, 1 / world unit.
   virtual void SetSigmaSSpectrum(int index, double sigmaS);
-  double GetSigmaSSpectrum(int index) const;
+  double GetSigmaSSpectrum(int index) const; ///< Scattering coefficient of one wavelength sample, 1 / world unit.
   ///@}
 
   ///@{
@@ -229,9 +232,10 @@ public:
    * Absorption coefficient of the medium, 1 / world unit, set as SigmaS is. Default: 0. Valid: 0 and above.
    */
   virtual void SetSigmaA(double sigmaA);
-  vtkGetMacro(SigmaA, double);
+  vtkGetMacro(SigmaA, double); ///< Absorption coefficient of wavelengths that have none of their own, 1 / world unit.
+  /// Absorption coefficient of one wavelength sample, index from 0, 1 / world unit.
   virtual void SetSigmaASpectrum(int index, double sigmaA);
-  double GetSigmaASpectrum(int index) const;
+  double GetSigmaASpectrum(int index) const; ///< Absorption coefficient of one wavelength sample, 1 / world unit.
   ///@}
 
   ///@{
@@ -240,10 +244,12 @@ public:
    * takes PhaseAsymmetry.
    */
   vtkSetMacro(PhaseFunction, int);
-  vtkGetMacro(PhaseFunction, int);
-  void SetPhaseFunctionToIsotropic() { this->SetPhaseFunction(Isotropic); }
-  void SetPhaseFunctionToBlasiSchlick() { this->SetPhaseFunction(BlasiSchlick); }
+  vtkGetMacro(PhaseFunction, int); ///< 0 Isotropic, 1 BlasiSchlick, 2 HenyeyGreenstein, 3 Rayleigh.
+  void SetPhaseFunctionToIsotropic() { this->SetPhaseFunction(Isotropic); }       ///< The same into all directions.
+  void SetPhaseFunctionToBlasiSchlick() { this->SetPhaseFunction(BlasiSchlick); } ///< Two lobes, as PhaseLobes says.
+  /// One lobe with the mean cosine PhaseAsymmetry.
   void SetPhaseFunctionToHenyeyGreenstein() { this->SetPhaseFunction(HenyeyGreenstein); }
+  /// Particles much smaller than the wavelength.
   void SetPhaseFunctionToRayleigh() { this->SetPhaseFunction(Rayleigh); }
   ///@}
 
@@ -254,6 +260,7 @@ public:
    * forward.
    */
   vtkSetVector3Macro(PhaseLobes, double);
+  /// BlasiSchlick: weight of the first lobe, k1, k2.
   vtkGetVector3Macro(PhaseLobes, double);
   ///@}
 
@@ -263,8 +270,8 @@ public:
    * within 5.2 % of Rayleigh), HazyMie (0.12, -0.50, 0.70) and MurkyMie (0.19, -0.65, 0.91).
    */
   void SetPhasePresetToRayleigh();
-  void SetPhasePresetToHazyMie();
-  void SetPhasePresetToMurkyMie();
+  void SetPhasePresetToHazyMie();  ///< BlasiSchlick with lobes 0.12, -0.50, 0.70: haze.
+  void SetPhasePresetToMurkyMie(); ///< BlasiSchlick with lobes 0.19, -0.65, 0.91: murk.
   ///@}
 
   ///@{
@@ -272,7 +279,7 @@ public:
    * Asymmetry g of HenyeyGreenstein: the mean cosine. Default: 0. Valid: between -1 and 1, positive forward.
    */
   vtkSetMacro(PhaseAsymmetry, double);
-  vtkGetMacro(PhaseAsymmetry, double);
+  vtkGetMacro(PhaseAsymmetry, double); ///< HenyeyGreenstein: the mean cosine.
   ///@}
 
   ///@{
@@ -283,6 +290,7 @@ public:
    * volume is the box. Valid: from at most to; for Soft from below to.
    */
   vtkSetVector6Macro(MediumBounds, double);
+  /// The box that the medium fills, world units: x from, to, y from, to, z from, to.
   vtkGetVector6Macro(MediumBounds, double);
   ///@}
 
@@ -292,7 +300,7 @@ public:
    * 32. Valid: 1 to 1,000,000.
    */
   vtkSetMacro(NumberOfSteps, int);
-  vtkGetMacro(NumberOfSteps, int);
+  vtkGetMacro(NumberOfSteps, int); ///< BruteForce, Medium, Fast: equal intervals of the march.
   ///@}
 
   ///@{
@@ -300,7 +308,7 @@ public:
    * BruteForce, Medium, Fast: times that an interval of the march may be halved. Default: 3. Valid: 0..16.
    */
   vtkSetMacro(MaximumDepth, int);
-  vtkGetMacro(MaximumDepth, int);
+  vtkGetMacro(MaximumDepth, int); ///< BruteForce, Medium, Fast: times that an interval may be halved.
   ///@}
 
   ///@{
@@ -309,7 +317,7 @@ public:
    * the largest intensity at the ray's NumberOfSteps + 1 nodes. Default: 0.1. Valid: 0 and above.
    */
   vtkSetMacro(IntensityThreshold, double);
-  vtkGetMacro(IntensityThreshold, double);
+  vtkGetMacro(IntensityThreshold, double); ///< BruteForce, Medium, Fast: difference above which an interval is halved.
   ///@}
 
   ///@{
@@ -317,7 +325,7 @@ public:
    * BruteForce, Medium, Fast: fresh stratified light points at every march sample. Default: 16. Valid: at least 1.
    */
   vtkSetMacro(NumberOfLightSamples, int);
-  vtkGetMacro(NumberOfLightSamples, int);
+  vtkGetMacro(NumberOfLightSamples, int); ///< BruteForce, Medium, Fast: light points at every march sample.
   ///@}
 
   ///@{
@@ -325,7 +333,7 @@ public:
    * Stratified light points for a surface. Default: 16. Valid: 0 and above; 0 makes surfaces black.
    */
   vtkSetMacro(NumberOfSurfaceLightSamples, int);
-  vtkGetMacro(NumberOfSurfaceLightSamples, int);
+  vtkGetMacro(NumberOfSurfaceLightSamples, int); ///< Light points for a surface.
   ///@}
 
   ///@{
@@ -334,7 +342,7 @@ public:
    * edges are not anti-aliased.
    */
   vtkSetMacro(NumberOfEdgeSamples, int);
-  vtkGetMacro(NumberOfEdgeSamples, int);
+  vtkGetMacro(NumberOfEdgeSamples, int); ///< Camera rays where a pixel sees an edge.
   ///@}
 
   ///@{
@@ -342,8 +350,9 @@ public:
    * The camera sees the light itself, with its exact shape, added to Radiance; it hides nothing. Default: on.
    */
   vtkSetMacro(LightVisible, vtkTypeBool);
-  vtkGetMacro(LightVisible, vtkTypeBool);
-  vtkBooleanMacro(LightVisible, vtkTypeBool);
+  vtkGetMacro(LightVisible, vtkTypeBool); ///< Whether the camera sees the light itself.
+  /// The camera sees the light itself.
+  vtkBooleanMacro(LightVisible, vtkTypeBool); ///< Leave the light itself out of Radiance.
   ///@}
 
   ///@{
@@ -351,7 +360,7 @@ public:
    * Diffuse reflectance of surfaces where the mesh has no cell array "Reflectance". Default: 0.5. Valid: 0..1.
    */
   vtkSetMacro(Reflectance, double);
-  vtkGetMacro(Reflectance, double);
+  vtkGetMacro(Reflectance, double); ///< Diffuse reflectance of surfaces without a cell array "Reflectance", 0..1.
   ///@}
 
   ///@{
@@ -360,7 +369,7 @@ public:
    * Valid: 0 and above.
    */
   vtkSetMacro(ConeLength, double);
-  vtkGetMacro(ConeLength, double);
+  vtkGetMacro(ConeLength, double); ///< Distance from their base up to which cones count, world units; 0: not cut.
   ///@}
 
   ///@{
@@ -368,7 +377,7 @@ public:
    * "RGB" shows Radiance times this; 1 after that is white. Default: 1. Valid: above 0.
    */
   vtkSetMacro(Exposure, double);
-  vtkGetMacro(Exposure, double);
+  vtkGetMacro(Exposure, double); ///< "RGB" shows Radiance times this.
   ///@}
 
   ///@{
@@ -376,7 +385,7 @@ public:
    * Seed of the random numbers. Default: 1. Valid: any.
    */
   vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
+  vtkGetMacro(Seed, int); ///< Seed of the random numbers.
   ///@}
 
   /**

@@ -63,7 +63,7 @@ public:
    * The light, input port 1. Required.
    */
   void SetLightConnection(vtkAlgorithmOutput* light);
-  void SetLightData(vtkDataObject* light);
+  void SetLightData(vtkDataObject* light); ///< The light as a data object, without a pipeline.
   ///@}
 
   ///@{
@@ -71,7 +71,7 @@ public:
    * The mesh, input port 2. Required for Exact; Soft takes no more than its bounds.
    */
   void SetMeshConnection(vtkAlgorithmOutput* mesh);
-  void SetMeshData(vtkDataObject* mesh);
+  void SetMeshData(vtkDataObject* mesh); ///< The mesh as a data object, without a pipeline.
   ///@}
 
   enum MethodType
@@ -84,9 +84,9 @@ public:
    * What hides the light. Exact: the mesh. Soft: the base discs of the cones. Default: Exact.
    */
   vtkSetMacro(Method, int);
-  vtkGetMacro(Method, int);
-  void SetMethodToExact() { this->SetMethod(Exact); }
-  void SetMethodToSoft() { this->SetMethod(Soft); }
+  vtkGetMacro(Method, int);                           ///< 0 Exact, 1 Soft.
+  void SetMethodToExact() { this->SetMethod(Exact); } ///< The mesh hides the light.
+  void SetMethodToSoft() { this->SetMethod(Soft); }   ///< The base discs of the cones hide the light; needs no mesh.
   ///@}
 
   ///@{
@@ -95,6 +95,7 @@ public:
    * Valid: at least 2 each, at most 2^31 - 1 together.
    */
   vtkSetVector3Macro(Dimensions, int);
+  /// Points along x, y and z.
   vtkGetVector3Macro(Dimensions, int);
   ///@}
 
@@ -106,6 +107,7 @@ public:
    * Valid: from below to.
    */
   vtkSetVector6Macro(Bounds, double);
+  /// The box between the first and the last points, world units: x from, to, y from, to, z from, to.
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
@@ -115,7 +117,7 @@ public:
    * are enough for images. Default: 16. Valid: 1 to 65,536.
    */
   vtkSetMacro(NumberOfLightSamples, int);
-  vtkGetMacro(NumberOfLightSamples, int);
+  vtkGetMacro(NumberOfLightSamples, int); ///< Samples of the light for each point.
   ///@}
 
   ///@{
@@ -124,7 +126,7 @@ public:
    * values still differ. Default: 2. Valid: 1 to 32; 1: no cell is refined.
    */
   vtkSetMacro(BrickParts, int);
-  vtkGetMacro(BrickParts, int);
+  vtkGetMacro(BrickParts, int); ///< Parts into which the sides of a refined cell are cut; 1: no cell is refined.
   ///@}
 
   ///@{
@@ -133,7 +135,7 @@ public:
    * refined too. Default: 0.5. Valid: 0..1; 1: no cell is refined.
    */
   vtkSetMacro(RefinementThreshold, double);
-  vtkGetMacro(RefinementThreshold, double);
+  vtkGetMacro(RefinementThreshold, double); ///< Difference of visibilities above which a cell is refined.
   ///@}
 
   ///@{
@@ -141,7 +143,7 @@ public:
    * Seed of the light samples. Default: 1. Valid: any.
    */
   vtkSetMacro(Seed, int);
-  vtkGetMacro(Seed, int);
+  vtkGetMacro(Seed, int); ///< Seed of the light samples.
   ///@}
 
 protected:

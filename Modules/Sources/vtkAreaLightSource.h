@@ -61,12 +61,12 @@ public:
    * The shape of the light. Sun is infinitely far away: a direction and an angular diameter. Default: Disc.
    */
   vtkSetMacro(Shape, int);
-  vtkGetMacro(Shape, int);
-  void SetShapeToDisc() { this->SetShape(Disc); }
-  void SetShapeToRectangle() { this->SetShape(Rectangle); }
-  void SetShapeToSphere() { this->SetShape(Sphere); }
-  void SetShapeToPoint() { this->SetShape(Point); }
-  void SetShapeToSun() { this->SetShape(Sun); }
+  vtkGetMacro(Shape, int);                                  ///< 0 Disc, 1 Rectangle, 2 Sphere, 3 Point, 4 Sun.
+  void SetShapeToDisc() { this->SetShape(Disc); }           ///< A disc with Center, Normal and Radius.
+  void SetShapeToRectangle() { this->SetShape(Rectangle); } ///< A rectangle with Center, Normal, Up, Width and Height.
+  void SetShapeToSphere() { this->SetShape(Sphere); }       ///< A sphere with Center and Radius, which emits outward.
+  void SetShapeToPoint() { this->SetShape(Point); } ///< A point at Center; Radiance is then its intensity, W sr^-1.
+  void SetShapeToSun() { this->SetShape(Sun); }     ///< The Sun, along Normal; Radiance is then its irradiance, W m^-2.
   ///@}
 
   ///@{
@@ -74,6 +74,7 @@ public:
    * The centre of the light, world units, finite. Sun: where its vertex is drawn. Default: (0, 0, 0).
    */
   vtkSetVector3Macro(Center, double);
+  /// The centre of the light, world units.
   vtkGetVector3Macro(Center, double);
   ///@}
 
@@ -83,6 +84,7 @@ public:
    * Unused by Sphere and Point. Default: (0, 0, 1).
    */
   vtkSetVector3Macro(Normal, double);
+  /// The side that emits; Sun: the way the light travels.
   vtkGetVector3Macro(Normal, double);
   ///@}
 
@@ -91,7 +93,7 @@ public:
    * Radius of Disc and Sphere, world units, above 0. Default: 0.5.
    */
   vtkSetMacro(Radius, double);
-  vtkGetMacro(Radius, double);
+  vtkGetMacro(Radius, double); ///< Radius of Disc and Sphere, world units.
   ///@}
 
   ///@{
@@ -99,9 +101,9 @@ public:
    * Rectangle: its size across and along Up, world units, above 0. Default: 1 by 1.
    */
   vtkSetMacro(Width, double);
-  vtkGetMacro(Width, double);
-  vtkSetMacro(Height, double);
-  vtkGetMacro(Height, double);
+  vtkGetMacro(Width, double);  ///< Rectangle: its size across Up, world units.
+  vtkSetMacro(Height, double); ///< Rectangle: its size along Up, world units, above 0. Default: 1.
+  vtkGetMacro(Height, double); ///< Rectangle: its size along Up, world units.
   ///@}
 
   ///@{
@@ -110,6 +112,7 @@ public:
    * of it does, the coordinate axis furthest from Normal is taken. Finite. Default: (0, 1, 0).
    */
   vtkSetVector3Macro(Up, double);
+  /// Rectangle: the direction in which Height is measured.
   vtkGetVector3Macro(Up, double);
   ///@}
 
@@ -118,7 +121,7 @@ public:
    * Sun: the angle under which it is seen, degrees, from 0 (hard shadows) to 180. Default: 0.533, the mean from Earth.
    */
   vtkSetMacro(AngularDiameter, double);
-  vtkGetMacro(AngularDiameter, double);
+  vtkGetMacro(AngularDiameter, double); ///< Sun: the angle under which it is seen, degrees.
   ///@}
 
   ///@{
@@ -128,6 +131,7 @@ public:
    * not change the brightness. Setting it drops the values of SetRadianceSpectrum. Default: 1.
    */
   void SetRadiance(double radiance);
+  /// Emission at every wavelength sample that SetRadianceSpectrum has not set, W m^-2 sr^-1.
   vtkGetMacro(Radiance, double);
   ///@}
 
@@ -136,7 +140,7 @@ public:
    * Emission at one wavelength sample, units as Radiance; indices from 0 to NumberOfWavelengths - 1. Default: Radiance.
    */
   void SetRadianceSpectrum(int index, double radiance);
-  double GetRadianceSpectrum(int index);
+  double GetRadianceSpectrum(int index); ///< Emission at one wavelength sample, index from 0, units as Radiance.
   ///@}
 
   ///@{
@@ -144,7 +148,7 @@ public:
    * Number of wavelength samples, from 1 to 1000: the centres of equal bins from 400 to 700 nm. Default: 7.
    */
   vtkSetMacro(NumberOfWavelengths, int);
-  vtkGetMacro(NumberOfWavelengths, int);
+  vtkGetMacro(NumberOfWavelengths, int); ///< Number of wavelength samples.
   ///@}
 
   ///@{
@@ -152,7 +156,7 @@ public:
    * Edges around Disc and Sphere in the mesh that is drawn, from 3 to 4096. Changes no result. Default: 32.
    */
   vtkSetMacro(Resolution, int);
-  vtkGetMacro(Resolution, int);
+  vtkGetMacro(Resolution, int); ///< Edges around Disc and Sphere in the mesh that is drawn.
   ///@}
 
 protected:

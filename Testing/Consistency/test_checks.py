@@ -12,6 +12,7 @@ import check_classes
 import check_core_includes
 import check_data
 import check_defaults
+import check_help
 import check_installed_headers
 import check_licence
 import check_links
@@ -73,6 +74,11 @@ class Thing:
         return 0.5
 
     def GetKind(self):
+        """GetKind(self) -> int
+        C++: virtual int GetKind()
+
+        2 Large.
+        """
         return 2
 
     def GetPlace(self):
@@ -135,6 +141,17 @@ class TestChecks(unittest.TestCase):
                 self.assertEqual(len(self.faults(check_defaults, {**sound, xml: XML.replace(old, new)})), 1, new)
             sys.modules["shadowcones"].vtkThing = type("Other", (Thing,), {"GetKind": lambda self: 1})
             self.assertEqual(len(self.faults(check_defaults, sound)), 1)
+        finally:
+            sys.modules["shadowcones"] = before
+
+    def test_help(self):
+        before = sys.modules.get("shadowcones")
+        sys.modules["shadowcones"] = types.SimpleNamespace(vtkThing=Thing)
+        try:
+            bare = "GetAmount(self) -> float\nC++: virtual double\n    GetAmount()\n\n"
+            for text, count in ((None, 2), (bare, 2), (bare + "How much.", 1)):
+                Thing.GetAmount.__doc__ = text
+                self.assertEqual(len(self.faults(check_help, {})), count, text)
         finally:
             sys.modules["shadowcones"] = before
 
