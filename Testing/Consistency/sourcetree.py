@@ -12,7 +12,7 @@ def files(root):
     """Paths of all files of the source tree, relative to its root, with '/' between folders."""
     for folder, folders, names in os.walk(root):
         folders[:] = sorted(f for f in folders if f not in SKIPPED_FOLDERS and not f.startswith(("build-", "output-")))
-        for name in sorted(names):
+        for name in sorted(set(names) - SKIPPED_FOLDERS):  # .git is a file in a worktree
             yield os.path.relpath(os.path.join(folder, name), root).replace(os.sep, "/")
 
 
