@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every class has a page, a test, a Python example, an entry in the ParaView plugin and a line in the changelog."""
+"""Every class has a page, a test, a Python example, an entry in the ParaView plugin, its page's list, and the changelog."""
 
 import os
 import re
@@ -14,6 +14,7 @@ def faults(root):
         word = re.compile(word)
         return any(word.search(sourcetree.text(root, p) or "") for p in paths if re.fullmatch(pattern, p))
 
+    menus = sourcetree.text(root, "Documentation/3-paraview.md") if "Documentation/3-paraview.md" in paths else ""
     for module, name in sourcetree.classes(root):
         if not os.path.exists(os.path.join(root, f"Documentation/filters/{name}.md")):
             yield f"{name}: no page Documentation/filters/{name}.md"
@@ -25,6 +26,9 @@ def faults(root):
             yield f"{name}: no example in Examples/Python uses it"
         if not mentioned(r"Modules/ParaViewPlugin/\w+\.xml", rf'class="{name}"'):
             yield f"{name}: no server-manager XML in Modules/ParaViewPlugin"
+        rows = re.findall(rf"^\|.*\(filters/{name}\.md\)", menus, re.MULTILINE)
+        if len(rows) != 1:
+            yield f"{name}: Documentation/3-paraview.md lists it {len(rows)} times"
         if not mentioned(r"CHANGELOG\.md", rf"\b{name}\b"):
             yield f"{name}: no line in CHANGELOG.md"
 

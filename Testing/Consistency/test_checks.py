@@ -31,6 +31,7 @@ SOUND = {
     "Modules/Filters/Testing/Cxx/TestThing.cxx": LICENCE + '#include "vtkThing.h"\n',
     "Modules/ParaViewPlugin/Filters.xml": '<!-- SPDX-License-Identifier: BSD-3-Clause -->\n<Proxy class="vtkThing"/>\n',
     "Documentation/README.md": "[vtkThing](filters/vtkThing.md)\n",
+    "Documentation/3-paraview.md": "| Thing | [vtkThing](filters/vtkThing.md) | Output |\n",
     "Documentation/filters/vtkThing.md": "Runs /usr/bin/python3 in ${HOME}/" + "work.\n",
     "Examples/Python/thing.py": CMAKE + "vtkThing()\n",
     "CHANGELOG.md": "`vtkThing`\n",
@@ -167,6 +168,8 @@ class TestChecks(unittest.TestCase):
         for path in SOUND:
             if path.startswith(("Documentation", "Examples", "CHANGELOG", "Modules/ParaView", "Modules/Filters/Test")):
                 self.assertEqual(len(self.faults(check_classes, {path: None})), 1, path)
+        twice = 2 * SOUND["Documentation/3-paraview.md"]
+        self.assertEqual(len(self.faults(check_classes, {"Documentation/3-paraview.md": twice})), 1)
 
 
 if __name__ == "__main__":
