@@ -16,6 +16,7 @@ import check_help
 import check_installed_headers
 import check_licence
 import check_links
+import check_messages
 import check_paths
 import numpy as np
 
@@ -155,6 +156,14 @@ class TestChecks(unittest.TestCase):
                 self.assertEqual(len(self.faults(check_help, {})), count, text)
         finally:
             sys.modules["shadowcones"] = before
+
+    def test_messages(self):
+        page, source = "Documentation/6-errors.md", "Modules/Filters/vtkThing.cxx"
+        words = 'vtkErrorMacro("Amount of \\"thing\\" is " << x // not "in any case here"\n  << " at port 3:"\n  " lower it.");'
+        sound = {source: LICENCE + words, page: '| Amount of "thing" is *x* at port *n*: lower it. | do |\n'}
+        self.assertEqual(self.faults(check_messages, sound), [])
+        self.assertEqual(len(self.faults(check_messages, {**sound, page: "| Amount is *x*: lower it. | do |\n"})), 2)
+        self.assertEqual(len(self.faults(check_messages, {source: LICENCE + words})), 2)
 
     def test_data(self):
         made = {"points": np.array([0.0, 1.0], dtype=np.float32), "offsets": np.array([0, 3])}
