@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What proving a cone set costs: a line for the fitted cones, for the same after the proof, and for cones around parts of the
+// occluders alone. Recall and the share of the cones' volume in shadow are by samples drawn evenly in the room.
+#include "BenchmarkScene.h"
+
+#include "scConeAccuracy.h"
+#include "scConeProof.h"
+#include "scConeProofCheck.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+
+using namespace shadowcones;
+
+namespace
+{
+struct SampledRoom
+{
+  std::vector<Vector3> Points;
+  std::vector<SampleTruth> Truth;
+};
+
+void PrintRow(const char* name, const BenchmarkScene& scene, const SampledRoom& room, const ConeProof& proof, double seconds)
+{
+  std::vector<SamplePrediction> predictions;
+  std::vector<ConeTally> tallies;
+  ClassifyByCones(room.Points, room.Truth, proof.Cones, {}, predictions, tallies);
+  const AccuracyTally tally = TallyAccuracy(room.Truth, predictions, proof.Cones, 0).All;
+  ConeProofCheck check;
+  const double start = Now();
+  CheckConeProof(scene.Mesh.View(), scene.Source, proof.Cones, proof.CertifiedBounds, {}, check);
+  std::printf("%-12s %9zu %-10s %6zu %6lld %6lld %8lld %8.5f %8.4f %8.3f %7s %8.2f %6.2f\n", scene.Name.c_str(),
+    scene.Mesh.Triangles.size() / 3, name, proof.Cones.size(), static_cast<long long>(proof.NumberOfGrownCones),
+    static_cast<long long>(proof.NumberOfAddedCones), static_cast<long long>(proof.NumberOfProvedParts),
+    tally.Recall().Value, tally.Precision().Value, seconds, check.Proved ? "yes" : "no", Now() - start, proof.Volume);
+  std::fflush(stdout);
+}
+
+void Measure(const BenchmarkScene& scene, const ConeParameters& parameters, int points)
+{
+  SampledRoom room;
+  DrawSamplePoints(RoomBounds(), points, 20240, {}, room.Points);
+  MeasureTruth(room.Points, *scene.Fast, scene.Source, 64, 20240, {}, room.Truth);
+  ConeProof fitted;
+  const double start = Now();
+  fitted.Cones = MakeCones(MakeVectors(scene, parameters), parameters).Cones;
+  PrintRow("fitted", scene, room, fitted, Now() - start);
+  ConeProofOptions options;
+  options.Region = RoomBounds();
+  for (const bool withFitted : { true, false })
+  {
+    ConeProof proof;
+    const double begin = Now();
+    ProveConeSet(scene.Mesh.View(), scene.Source, withFitted ? fitted.Cones : std::vector<Cone>(), options, {}, proof);
+    PrintRow(withFitted ? "proved" : "clusters", scene, room, proof, Now() - begin);
+  }
+}
+} // anonymous namespace
+
+int main(int argc, char** argv)
+{
+  std::vector<std::string> scenes = { "chair", "tree", "blob" };
+  std::string set = "conservative";
+  vtkIdType vectors = 5800;
+  int points = 50000;
+  CLI::App app{ "What proving a cone set costs" };
+  app.add_option("--scene", scenes, "chair, tree, blob, or mesh files, which are scaled to a height of 3")->capture_default_str();
+  app.add_option("--set", set, "paper, bounds, conservative")->capture_default_str();
+  app.add_option("--vectors", vectors, "shadow vectors asked for")->capture_default_str();
+  app.add_option("--points", points, "sample points in the room")->check(CLI::PositiveNumber)->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try
+  {
+    std::printf("%-12s %9s %-10s %6s %6s %6s %8s %8s %8s %8s %7s %8s\n", "scene", "triangles", "set", "cones", "grown",
+      "added", "parts", "recall", "shadow", "seconds", "proved", "check s");
+    for (const std::string& name : scenes)
+    {
+      ConeParameters parameters = NamedParameters(set);
+      parameters.Vectors = vectors;
+      Measure(LoadBenchmarkScene(name), parameters, points);
+    }
+  }
+  catch (const std::exception& exception)
+  {
+    std::fprintf(stderr, "error: %s\n", exception.what());
+    return 1;
+  }
+  return 0;
+}
