@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkConeSetAccuracy.h"
 
-#include "scAdapters.h"
 #include "scConeAccuracy.h"
+#include "scConeData.h"
+#include "scFieldArrays.h"
+#include "scFilterRun.h"
 #include "scLightData.h"
-#include "scPieces.h"
+#include "scMeshData.h"
+#include "scOptionalBounds.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -30,25 +33,6 @@ using namespace shadowcones;
 constexpr int coneSetPort = 1;
 constexpr int meshPort = 2;
 constexpr int lightPort = 3;
-
-/// Triangles that cast shadows: receivers are left out.
-void KeepCasters(TriangleMesh& mesh)
-{
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh.OccluderIds.size(); ++t)
-  {
-    if (mesh.OccluderIds[t] >= 0)
-    {
-      std::copy_n(mesh.Triangles.begin() + 3 * t, 3, mesh.Triangles.begin() + 3 * kept);
-      mesh.OccluderIds[kept++] = mesh.OccluderIds[t];
-    }
-  }
-  if (!mesh.OccluderIds.empty())
-  {
-    mesh.OccluderIds.resize(kept);
-    mesh.Triangles.resize(3 * kept);
-  }
-}
 
 /// The points of a data set. @return false, with a sentence in @p error, where one is not finite.
 bool ReadPoints(vtkDataSet* input, std::vector<Vector3>& points, std::string& error)
@@ -376,7 +360,7 @@ bool vtkConeSetAccuracy::CheckParameters()
     return false;
   }
   const double* b = this->Bounds;
-  const bool isSet = !(b[0] == 1.0 && b[1] == -1.0 && b[2] == 1.0 && b[3] == -1.0 && b[4] == 1.0 && b[5] == -1.0);
+  const bool isSet = !AreUnsetBounds(b);
   for (int axis = 0; isSet && axis < 3; ++axis)
   {
     if (!std::isfinite(b[2 * axis]) || !std::isfinite(b[2 * axis + 1]) || b[2 * axis] > b[2 * axis + 1])
@@ -424,7 +408,7 @@ int vtkConeSetAccuracy::RequestData(
     vtkErrorMacro(<< error);
     return 0;
   }
-  KeepCasters(mesh);
+  DropReceivers(mesh);
 
   const double* b = this->Bounds;
   const Box bounds =

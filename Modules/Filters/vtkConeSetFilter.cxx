@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkConeSetFilter.h"
 
-#include "scAdapters.h"
+#include "scConeData.h"
 #include "scConeTuning.h"
+#include "scFieldArrays.h"
+#include "scFilterRun.h"
 #include "scLightData.h"
-#include "scPieces.h"
+#include "scVectorData.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -41,32 +43,6 @@ std::vector<Cone> SliceOf(const std::vector<Cone>& cones, const PieceRequest& pi
 {
   const auto count = static_cast<vtkIdType>(cones.size());
   return { cones.begin() + piece.Begin(count), cones.begin() + piece.End(count) };
-}
-
-/// Every parameter that the cones were fitted with, by its name.
-void AddParameters(const ConeSetOptions& options, vtkFieldData* data)
-{
-  AddIntArray(data, "NumberOfNeighbors", 1, { options.NumberOfNeighbors });
-  AddIntArray(data, "NumberOfSectors", 1, { options.NumberOfSectors });
-  AddIntArray(data, "PointsPerRing", 1, { options.PointsPerRing });
-  AddIntArray(data, "MinimumVectorsPerCone", 1, { options.MinimumVectorsPerCone });
-  AddDoubleArray(data, "VarianceThreshold", 1, { options.VarianceThreshold });
-  AddDoubleArray(data, "PlanarityThreshold", 1, { options.PlanarityThreshold });
-  AddIntArray(data, "CosineCorrection", 1, { options.CosineCorrection ? 1 : 0 });
-  AddIntArray(data, "Expansion", 1, { static_cast<int>(options.Expansion) });
-  AddDoubleArray(data, "ExpansionFraction", 1, { options.ExpansionFraction });
-  AddDoubleArray(data, "RadiusScale", 1, { options.RadiusScale });
-  AddDoubleArray(data, "MaximumOverspill", 1, { options.MaximumOverspill });
-  AddIntArray(data, "Overlap", 1, { options.Overlap ? 1 : 0 });
-}
-
-/// What tuning found on the photons held out.
-void AddTuning(const ConeTuningResult& tuning, vtkFieldData* data)
-{
-  AddDoubleArray(data, "TuningObjective", 1, { tuning.Objective });
-  AddDoubleArray(data, "TuningLeak", 1, { tuning.Leak });
-  AddDoubleArray(data, "TuningLost", 1, { tuning.Lost });
-  AddIntArray(data, "TuningFits", 1, { tuning.NumberOfFits });
 }
 
 /// The vectors [begin, end) of the input with all their arrays, and the cone of each.
@@ -178,7 +154,7 @@ int vtkConeSetFilter::RequestData(
   Light light;
   std::string error;
   const bool hasShape = vectorInput->GetFieldData()->GetAbstractArray("LightShape") != nullptr;
-  if (!ReadShadowVectors(vectorInput, vectors, error, !hasShape) || !CheckPointArrays(vectorInput, error) ||
+  if (!ReadShadowVectors(vectorInput, vectors, error, !hasShape) || !CheckAttributes(vectorInput->GetPointData(), vectorInput->GetNumberOfPoints(), "point", error) ||
     (pathInput && !ReadPhotonPaths(pathInput, paths, error)) ||
     (vectorInput->GetNumberOfPoints() > 0 && !ReadLightExtent(vectorInput, vectors, extent, light, error)))
   {
@@ -217,10 +193,10 @@ int vtkConeSetFilter::RequestData(
   coneOutput->GetFieldData()->PassData(vectorInput->GetFieldData());
   vectorOutput->GetFieldData()->PassData(vectorInput->GetFieldData());
   AddIntArray(coneOutput->GetFieldData(), "Tuning", 1, { this->Tuning });
-  AddParameters(options, coneOutput->GetFieldData());
+  WriteConeSetOptions(options, coneOutput->GetFieldData());
   if (tuned)
   {
-    AddTuning(tuning, coneOutput->GetFieldData());
+    WriteConeTuning(tuning, coneOutput->GetFieldData());
   }
   const auto numberOfVectors = static_cast<vtkIdType>(result.ConeIds.size());
   AddIdArray(coneOutput->GetFieldData(), "NumberOfVectors", { numberOfVectors });

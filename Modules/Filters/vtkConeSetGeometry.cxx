@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkConeSetGeometry.h"
 
-#include "scAdapters.h"
+#include "scConeData.h"
 #include "scConeSurface.h"
-#include "scPieces.h"
+#include "scFieldArrays.h"
+#include "scFilterRun.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -140,7 +141,7 @@ int vtkConeSetGeometry::RequestData(
 
   std::vector<Cone> cones;
   std::string error;
-  if (!ReadConeSet(input, cones, error) || !CheckPointArrays(input, error))
+  if (!ReadConeSet(input, cones, error) || !CheckAttributes(input->GetPointData(), input->GetNumberOfPoints(), "point", error))
   {
     vtkErrorMacro(<< error);
     return 0;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkConeSetProbe.h"
 
-#include "scAdapters.h"
+#include "scConeData.h"
+#include "scFilterRun.h"
 #include "scLightData.h"
-#include "scPieces.h"
+#include "scMeshData.h"
+#include "scVisibilityData.h"
 #include "scVisibilityProbe.h"
 
 #include "vtkCellCenters.h"
@@ -18,7 +20,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <exception>
@@ -86,18 +87,6 @@ bool ReadPlaces(vtkDataSet* data, bool atCells, bool useNormals, Places& places,
   places.OnSurfaces =
     !places.Normals.empty() || (surface && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0);
   return true;
-}
-
-void AddResult(const VisibilityResult& result, vtkDataSetAttributes* data)
-{
-  AddFloatArray(data, "Visibility", 1, result.Visibility);
-  vtkNew<vtkUnsignedCharArray> classes;
-  classes->SetName("ShadowClass");
-  classes->SetNumberOfTuples(static_cast<vtkIdType>(result.ShadowClasses.size()));
-  std::copy(result.ShadowClasses.begin(), result.ShadowClasses.end(), classes->GetPointer(0));
-  data->AddArray(classes);
-  AddIntArray(data, "OccluderId", 1, result.OccluderIds);
-  AddFloatArray(data, "VisibilityError", 1, result.Errors);
 }
 } // anonymous namespace
 
@@ -249,7 +238,7 @@ int vtkConeSetProbe::RequestData(
   }
 
   output->ShallowCopy(input);
-  AddResult(result, atCells ? static_cast<vtkDataSetAttributes*>(output->GetCellData()) : output->GetPointData());
+  WriteVisibility(result, atCells ? static_cast<vtkDataSetAttributes*>(output->GetCellData()) : output->GetPointData());
   return 1;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLabelOccluders.h"
 
-#include "scAdapters.h"
+#include "scFieldArrays.h"
+#include "scFilterRun.h"
+#include "scMeshData.h"
 #include "scOccluderTopology.h"
 
 #include "vtkCellArray.h"
@@ -23,7 +25,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,23 +111,6 @@ void CountCells(vtkPolyData* input, JoinedMesh& joined)
     joined.TriangulatedPolygons += corners >= 3;
     joined.DroppedPolygons += corners < 3;
   }
-}
-
-/// Arrays that are too short cannot be passed on.
-bool CheckAttributes(vtkDataSetAttributes* data, vtkIdType count, const char* what, std::string& error)
-{
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    const vtkIdType tuples = data->GetAbstractArray(i)->GetNumberOfTuples();
-    if (tuples < count)
-    {
-      const char* name = data->GetAbstractArray(i)->GetName();
-      error = std::string("The ") + what + " array \"" + (name ? name : "") + "\" has " + std::to_string(tuples) +
-        " tuples where " + std::to_string(count) + " are needed.";
-      return false;
-    }
-  }
-  return true;
 }
 
 bool JoinLeaves(const std::vector<Leaf>& leaves, JoinedMesh& joined, std::string& error)
@@ -258,11 +242,7 @@ void WriteReport(const JoinedMesh& joined, const OccluderTopology& topology, vtk
   add("FlippedTriangles", topology.FlippedTriangles);
   add("NonManifoldEdges", topology.NonManifoldEdges);
   add("BoundaryEdges", topology.BoundaryEdges);
-  vtkNew<vtkUnsignedCharArray> closed;
-  closed->SetName("OccluderClosed");
-  closed->SetNumberOfTuples(static_cast<vtkIdType>(topology.Closed.size()));
-  std::copy(topology.Closed.begin(), topology.Closed.end(), closed->GetPointer(0));
-  data->AddArray(closed);
+  AddByteArray(data, "OccluderClosed", topology.Closed);
 }
 
 OccluderLabel LabelOf(int labelBy, vtkDataObject* input)

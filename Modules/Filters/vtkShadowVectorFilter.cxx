@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowVectorFilter.h"
 
-#include "scAdapters.h"
+#include "scFieldArrays.h"
+#include "scFilterRun.h"
 #include "scLightData.h"
-#include "scPieces.h"
+#include "scMeshData.h"
 #include "scShadowVectors.h"
+#include "scVectorData.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -14,47 +16,7 @@
 
 #include <exception>
 
-namespace
-{
 using namespace shadowcones;
-
-void WriteVectors(const ShadowVectors& vectors, vtkPolyData* output)
-{
-  SetVertices(output, vectors.Points);
-  vtkPointData* data = output->GetPointData();
-  AddFloatArray(data, "Direction", 3, vectors.Directions);
-  AddFloatArray(data, "Normal", 3, vectors.Normals);
-  AddIntArray(data, "OccluderId", 1, vectors.OccluderIds);
-  AddDoubleArray(data, "EmissionPoint", 3, vectors.EmissionPoints);
-  AddFloatArray(data, "PathLength", 1, vectors.PathLengths);
-  AddFloatArray(data, "Thickness", 1, vectors.Thicknesses);
-  AddIdArray(data, "PhotonIndex", vectors.PhotonIndices);
-}
-
-void WritePaths(const PhotonPaths& paths, vtkPolyData* output)
-{
-  SetVertices(output, paths.Points);
-  vtkPointData* data = output->GetPointData();
-  AddIntArray(data, "PathState", 1, paths.States);
-  AddIntArray(data, "OccluderId", 1, paths.OccluderIds);
-  AddDoubleArray(data, "EmissionPoint", 3, paths.EmissionPoints);
-  AddFloatArray(data, "Direction", 3, paths.Directions);
-  AddFloatArray(data, "Power", 1, paths.Powers);
-  AddIdArray(data, "PhotonIndex", paths.PhotonIndices);
-}
-
-void WriteShadowPhotons(const ShadowPhotons& photons, vtkPolyData* output)
-{
-  SetVertices(output, photons.Points);
-  vtkPointData* data = output->GetPointData();
-  AddFloatArray(data, "Normal", 3, photons.Normals);
-  AddFloatArray(data, "Direction", 3, photons.Directions);
-  AddFloatArray(data, "Power", 1, photons.Powers);
-  AddIntArray(data, "OccluderId", 1, photons.OccluderIds);
-  AddIntArray(data, "ReceiverId", 1, photons.ReceiverIds);
-  AddIdArray(data, "PhotonIndex", photons.PhotonIndices);
-}
-} // anonymous namespace
 
 vtkStandardNewMacro(vtkShadowVectorFilter);
 
@@ -169,8 +131,8 @@ int vtkShadowVectorFilter::RequestData(
       << " photons: hardly any light meets an occluder. Check where the light is and which way it faces.");
   }
 
-  WriteVectors(result.Vectors, vtkPolyData::GetData(outputVector, 0));
-  WritePaths(result.Paths, vtkPolyData::GetData(outputVector, 1));
+  WriteShadowVectors(result.Vectors, vtkPolyData::GetData(outputVector, 0));
+  WritePhotonPaths(result.Paths, vtkPolyData::GetData(outputVector, 1));
   WriteShadowPhotons(result.Photons, vtkPolyData::GetData(outputVector, 2));
   for (int port = 0; port < 3; ++port)
   {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowVolume.h"
 
-#include "scAdapters.h"
+#include "scConeData.h"
 #include "scConeField.h"
+#include "scFieldArrays.h"
+#include "scFilterRun.h"
 #include "scLightData.h"
-#include "scPieces.h"
+#include "scOptionalBounds.h"
 #include "scUmbraField.h"
 
 #include "vtkCellArray.h"
@@ -221,8 +223,7 @@ vtkShadowVolume::vtkShadowVolume()
 
 bool vtkShadowVolume::HasBounds() const
 {
-  const double* b = this->Bounds;
-  return !(b[0] == 1.0 && b[1] == -1.0 && b[2] == 1.0 && b[3] == -1.0 && b[4] == 1.0 && b[5] == -1.0);
+  return !AreUnsetBounds(this->Bounds);
 }
 
 int vtkShadowVolume::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)

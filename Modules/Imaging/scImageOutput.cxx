@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scImageOutput.h"
 
-#include "scAdapters.h"
+#include "scFieldArrays.h"
 #include "scSpectrum.h"
 
 #include "vtkCamera.h"
-#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
@@ -55,20 +53,6 @@ void AddTriple(vtkFieldData* field, const char* name, const double* values)
 }
 } // anonymous namespace
 
-std::vector<double> ReadWavelengths(vtkPolyData* light, std::size_t count)
-{
-  vtkDataArray* array = light->GetFieldData()->GetArray("LightWavelengths");
-  std::vector<double> wavelengths = DefaultWavelengths(static_cast<int>(count));
-  if (array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == static_cast<vtkIdType>(count))
-  {
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      wavelengths[k] = array->GetComponent(static_cast<vtkIdType>(k), 0);
-    }
-  }
-  return wavelengths;
-}
-
 void WritePixels(
   const ScatteringImage& image, const std::vector<double>& wavelengthsInNm, double exposure, vtkPointData* points)
 {
@@ -91,15 +75,6 @@ void WriteCamera(vtkCamera* camera, vtkFieldData* field)
   AddDoubleArray(field, "CameraViewAngle", 1, { camera->GetViewAngle() });
   AddIntArray(field, "CameraParallelProjection", 1, { camera->GetParallelProjection() });
   AddDoubleArray(field, "CameraParallelScale", 1, { camera->GetParallelScale() });
-}
-
-void WriteMedium(const Medium& medium, vtkFieldData* field)
-{
-  const auto wavelengths = static_cast<int>(medium.SigmaS.size());
-  AddDoubleArray(field, "SigmaS", wavelengths, medium.SigmaS);
-  AddDoubleArray(field, "SigmaA", wavelengths, medium.SigmaA);
-  const Box& box = medium.Bounds;
-  AddDoubleArray(field, "MediumBounds", 6, { box.Min.X, box.Max.X, box.Min.Y, box.Max.Y, box.Min.Z, box.Max.Z });
 }
 
 } // namespace shadowcones

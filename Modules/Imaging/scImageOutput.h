@@ -6,28 +6,21 @@
 #ifndef scImageOutput_h
 #define scImageOutput_h
 
-#include "scMedium.h"
 #include "scScatteringImage.h"
 
-#include <cstddef>
 #include <vector>
 
 class vtkCamera;
 class vtkFieldData;
 class vtkPointData;
-class vtkPolyData;
 
 namespace shadowcones
 {
-
-/// The light's wavelengths in nm where it says so, else the default ones for its number of samples.
-std::vector<double> ReadWavelengths(vtkPolyData* light, std::size_t count);
 
 /// Add every array of an image, and "RGB": its radiance times @p exposure as sRGB, the active scalars.
 void WritePixels(
   const ScatteringImage& image, const std::vector<double>& wavelengthsInNm, double exposure, vtkPointData* points);
 void WriteCamera(vtkCamera* camera, vtkFieldData* field);
-void WriteMedium(const Medium& medium, vtkFieldData* field);
 
 } // namespace shadowcones
 

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scImageScene.h"
 
-#include "scDensityImage.h"
-#include "scImageInputs.h"
+#include "scConeData.h"
+#include "scDensityData.h"
 #include "scImageOutput.h"
 #include "scLightData.h"
-#include "scVisibilityVolume.h"
+#include "scMeshData.h"
+#include "scOptionalBounds.h"
+#include "scVisibilityData.h"
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace shadowcones
 {
@@ -69,9 +72,15 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
     return false;
   }
   scene.MeshBounds = MeshBounds(scene.Mesh.View());
-  if (inputs.Mesh && !ReadReflectance(inputs.Mesh, scene.Mesh.SourceCells, wavelengths, scene.Options, error))
+  SurfaceReflectance reflectance;
+  if (inputs.Mesh && !ReadReflectance(inputs.Mesh, scene.Mesh.SourceCells, wavelengths, reflectance, error))
   {
     return false;
+  }
+  if (reflectance.Components > 0)
+  {
+    scene.Options.ReflectanceComponents = reflectance.Components;
+    scene.Options.SurfaceReflectance = std::move(reflectance.Values);
   }
 
   scene.HasCones = inputs.Cones && mode != ScatteringMode::BruteForce;

@@ -6,11 +6,11 @@
 #ifndef scImageScene_h
 #define scImageScene_h
 
-#include "scAdapters.h"
 #include "scCamera.h"
 #include "scDensityGrid.h"
 #include "scLight.h"
 #include "scMedium.h"
+#include "scMeshData.h"
 #include "scScatteringImage.h"
 #include "scVisibilityGrid.h"
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkScatteringImageFilter.h"
 
-#include "scAdapters.h"
-#include "scImageInputs.h"
+#include "scFieldArrays.h"
+#include "scFilterRun.h"
 #include "scImageOutput.h"
 #include "scImageScene.h"
-#include "scPieces.h"
+#include "scMediumData.h"
+#include "scViewCamera.h"
 #include "scVisibilityGrid.h"
 
 #include "vtkAlgorithmOutput.h"

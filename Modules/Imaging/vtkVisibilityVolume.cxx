@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVisibilityVolume.h"
 
-#include "scAdapters.h"
+#include "scConeData.h"
+#include "scFieldArrays.h"
+#include "scFilterRun.h"
 #include "scLightData.h"
-#include "scPieces.h"
-#include "scVisibilityVolume.h"
+#include "scMeshData.h"
+#include "scOptionalBounds.h"
+#include "scVisibilityData.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkFieldData.h"

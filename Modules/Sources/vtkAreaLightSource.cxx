@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAreaLightSource.h"
 
+#include "scFieldArrays.h"
 #include "scLightData.h"
 #include "scSpectrum.h"
 
 #include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -251,13 +251,8 @@ int vtkAreaLightSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   }
 
   shadowcones::WriteLightFieldData(light, output);
-  vtkNew<vtkDoubleArray> wavelengths;
-  wavelengths->SetName("LightWavelengths");
-  for (const double wavelength : shadowcones::DefaultWavelengths(this->NumberOfWavelengths))
-  {
-    wavelengths->InsertNextValue(wavelength);
-  }
-  output->GetFieldData()->AddArray(wavelengths);
+  shadowcones::AddDoubleArray(
+    output->GetFieldData(), "LightWavelengths", 1, shadowcones::DefaultWavelengths(this->NumberOfWavelengths));
   return 1;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkScene.h"
 
+#include "scConeData.h"
 #include "scLightData.h"
+#include "scMeshData.h"
 #include "vtkAreaLightSource.h"
 #include "vtkConeSetFilter.h"
 #include "vtkLabelOccluders.h"

@@ -6,8 +6,9 @@
 #ifndef BenchmarkScene_h
 #define BenchmarkScene_h
 
-#include "scAdapters.h"
+#include "scConeSet.h"
 #include "scLight.h"
+#include "scMeshData.h"
 #include "scOccluderScene.h"
 
 #include "vtkPolyData.h"

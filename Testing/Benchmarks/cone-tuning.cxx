@@ -6,8 +6,8 @@
 #include "BenchmarkScene.h"
 
 #include "scConeTuning.h"
-#include "scLightData.h"
 #include "scRandom.h"
+#include "scVectorData.h"
 
 #include <CLI/CLI.hpp>
 

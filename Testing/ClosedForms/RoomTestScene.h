@@ -6,10 +6,10 @@
 #ifndef RoomTestScene_h
 #define RoomTestScene_h
 
-#include "ImageTestScene.h"
-#include "scAdapters.h"
 #include "scConeSet.h"
+#include "scMeshData.h"
 #include "scShadowVectors.h"
+#include "ImageTestScene.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

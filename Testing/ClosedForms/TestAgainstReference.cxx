@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every fast path against the slow, plain reference on chair, tree and blob.
-#include "TestMeshes.h"
-#include "scAdapters.h"
 #include "scConeIntervals.h"
 #include "scConeSet.h"
+#include "scMeshData.h"
 #include "scReference.h"
 #include "scScatteringImage.h"
 #include "scShadowVectors.h"
+#include "TestMeshes.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cases.h"
 
-#include "scAdapters.h"
+#include "scConeData.h"
+#include "scFieldArrays.h"
 #include "vtkAreaLightSource.h"
 #include "vtkConeSetAccuracy.h"
 #include "vtkConeSetFilter.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The accuracy overlay as a filter: its arrays and tables agree, samples may be given, faults have their own words.
-#include "scAdapters.h"
+#include "scConeData.h"
 #include "vtkAreaLightSource.h"
 #include "vtkConeSetAccuracy.h"
 #include "vtkConeSetGeometry.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkConeSetGeometry: surfaces that lie on their cones, cuts, and a message for each fault.
+#include "scConeData.h"
+#include "scFieldArrays.h"
 #include "FilterTesting.h"
-#include "scAdapters.h"
 #include "vtkConeSetGeometry.h"
 
 #include "vtkFloatArray.h"

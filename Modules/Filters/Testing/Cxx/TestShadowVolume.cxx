@@ -4,7 +4,8 @@
 
 #include "FilterTesting.h"
 
-#include "scAdapters.h"
+#include "scConeData.h"
+#include "scFieldArrays.h"
 #include "scLightData.h"
 #include "scRandom.h"
 

@@ -8,7 +8,8 @@
 
 #include "vtkScatteringImageFilter.h"
 
-#include "scAdapters.h"
+#include "scConeData.h"
+#include "scFieldArrays.h"
 #include "vtkAreaLightSource.h"
 #include "vtkVisibilityVolume.h"
 

@@ -2,8 +2,9 @@
 // The visibility volume as image data: arrays, bounds, bricks, files, extents, and a message for each fault.
 #include "vtkVisibilityVolume.h"
 
-#include "scAdapters.h"
-#include "scVisibilityVolume.h"
+#include "scConeData.h"
+#include "scFieldArrays.h"
+#include "scVisibilityData.h"
 #include "vtkAreaLightSource.h"
 #include "vtkScatteringImageFilter.h"
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scVisibilityVolume.h"
+#include "scVisibilityData.h"
 
-#include "scAdapters.h"
+#include "scFieldArrays.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -234,32 +234,12 @@ void WriteVisibilityGrid(const VisibilityGrid& grid, const int extent[6], vtkIma
   }
 }
 
-bool AreUnsetBounds(const double bounds[6])
+void WriteVisibility(const VisibilityResult& result, vtkDataSetAttributes* data)
 {
-  constexpr double unset[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  return std::equal(bounds, bounds + 6, unset);
-}
-
-bool BoundsAround(const Box& bounds, vtkPolyData* lightData, const Light& light, Box& around)
-{
-  Box joint = bounds;
-  if (!IsAtInfinity(light) && lightData->GetNumberOfPoints() > 0)
-  {
-    double b[6];
-    lightData->GetBounds(b);
-    joint.Add(Vector3{ b[0], b[2], b[4] });
-    joint.Add(Vector3{ b[1], b[3], b[5] });
-  }
-  const double diagonal = joint.Diagonal();
-  if (!(diagonal > 0.0))
-  {
-    return false;
-  }
-  const Vector3 size = joint.Size();
-  const auto half = [diagonal](double side) { return side > 0.0 ? 0.55 * side : 0.05 * diagonal; };
-  const Vector3 reach{ half(size.X), half(size.Y), half(size.Z) };
-  around = { joint.Center() - reach, joint.Center() + reach };
-  return true;
+  AddFloatArray(data, "Visibility", 1, result.Visibility);
+  AddByteArray(data, "ShadowClass", result.ShadowClasses);
+  AddIntArray(data, "OccluderId", 1, result.OccluderIds);
+  AddFloatArray(data, "VisibilityError", 1, result.Errors);
 }
 
 } // namespace shadowcones

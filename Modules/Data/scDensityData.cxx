@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scDensityImage.h"
+#include "scDensityData.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

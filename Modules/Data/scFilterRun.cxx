@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-/**
- * @file scPieces.h
- * @brief Piece requests: filters that see their whole input and give out a range of their result. Internal to Filters.
- */
-#ifndef scPieces_h
-#define scPieces_h
-
-#include "scParallel.h"
+#include "scFilterRun.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -19,18 +12,15 @@
 namespace shadowcones
 {
 
-struct PieceRequest
+Monitor MonitorOf(vtkAlgorithm* algorithm)
 {
-  int Piece = 0;
-  int NumberOfPieces = 1;
+  Monitor monitor;
+  monitor.Progress = [algorithm](double share) { algorithm->UpdateProgress(share); };
+  monitor.Aborted = [algorithm]() { return algorithm->GetAbortExecute() != 0; };
+  return monitor;
+}
 
-  /// First item of this piece among count; the next piece's first item is its end.
-  vtkIdType Begin(vtkIdType count) const { return PieceBound(count, this->Piece, this->NumberOfPieces); }
-  vtkIdType End(vtkIdType count) const { return PieceBound(count, this->Piece + 1, this->NumberOfPieces); }
-};
-
-/// The piece that is asked of the output port whose update is under way.
-inline PieceRequest RequestedPiece(vtkInformation* request, vtkInformationVector* outputVector)
+PieceRequest RequestedPiece(vtkInformation* request, vtkInformationVector* outputVector)
 {
   const int port = std::max(request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT()), 0);
   vtkInformation* info = outputVector->GetInformationObject(port);
@@ -38,14 +28,13 @@ inline PieceRequest RequestedPiece(vtkInformation* request, vtkInformationVector
   if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()))
   {
     piece.NumberOfPieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
-    piece.Piece = std::clamp(
-      info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()), 0, piece.NumberOfPieces - 1);
+    piece.Piece =
+      std::clamp(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()), 0, piece.NumberOfPieces - 1);
   }
   return piece;
 }
 
-/// Tell the pipeline that every output can be asked for in pieces.
-inline void HandlePieces(vtkInformationVector* outputVector)
+void HandlePieces(vtkInformationVector* outputVector)
 {
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
@@ -53,8 +42,7 @@ inline void HandlePieces(vtkInformationVector* outputVector)
   }
 }
 
-/// Ask every input from @p firstPort on for all of its data.
-inline void RequestWholeInputs(vtkAlgorithm* algorithm, vtkInformationVector** inputVector, int firstPort = 0)
+void RequestWholeInputs(vtkAlgorithm* algorithm, vtkInformationVector** inputVector, int firstPort)
 {
   for (int port = firstPort; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
@@ -69,5 +57,3 @@ inline void RequestWholeInputs(vtkAlgorithm* algorithm, vtkInformationVector** i
 }
 
 } // namespace shadowcones
-
-#endif

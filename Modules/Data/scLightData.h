@@ -6,10 +6,12 @@
 #ifndef scLightData_h
 #define scLightData_h
 
-#include "ShadowConesSourcesModule.h"
+#include "ShadowConesDataModule.h"
 #include "scLight.h"
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 class vtkDataObject;
 class vtkPolyData;
@@ -22,7 +24,7 @@ namespace shadowcones
  * "LightAxes" (double, two tuples of 3: Rectangle's half edges), "LightRadius" (double 1), "LightSpectrum" (double, one a
  * wavelength sample).
  */
-SHADOWCONESSOURCES_EXPORT void WriteLightFieldData(const Light& light, vtkDataObject* output);
+SHADOWCONESDATA_EXPORT void WriteLightFieldData(const Light& light, vtkDataObject* output);
 
 /**
  * Read a light and prepare it for sampling: from the field data where "LightShape" is there, else every polygon of the mesh
@@ -30,7 +32,10 @@ SHADOWCONESSOURCES_EXPORT void WriteLightFieldData(const Light& light, vtkDataOb
  * "LightSpectrum", or 1 at each of seven samples. @return false, with a sentence in @p error, where there is no light:
  * null or empty input, zero area, a value that is not finite, a field array missing or of the wrong size.
  */
-SHADOWCONESSOURCES_EXPORT bool ReadLight(vtkPolyData* input, Light& light, std::string& error);
+SHADOWCONESDATA_EXPORT bool ReadLight(vtkPolyData* input, Light& light, std::string& error);
+
+/// The light's wavelengths in nm where it says so, else the default ones for its number of samples.
+SHADOWCONESDATA_EXPORT std::vector<double> ReadWavelengths(vtkPolyData* light, std::size_t count);
 
 } // namespace shadowcones
 

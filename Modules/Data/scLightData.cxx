@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scLightData.h"
 
+#include "scFieldArrays.h"
 #include "scSpectrum.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
@@ -22,22 +22,8 @@ namespace shadowcones
 namespace
 {
 
-void AddDoubles(vtkFieldData* data, const char* name, int components, const std::vector<double>& values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), values[i]);
-  }
-  data->AddArray(array);
-}
-
 // All values of a field array; count 0: at least one.
-bool ReadField(
-  vtkFieldData* data, const char* name, vtkIdType count, std::vector<double>& values, std::string& error)
+bool ReadField(vtkFieldData* data, const char* name, vtkIdType count, std::vector<double>& values, std::string& error)
 {
   const std::string quoted = "The light's field array \"" + std::string(name) + "\"";
   vtkDataArray* array = data->GetArray(name);
@@ -227,12 +213,12 @@ void WriteLightFieldData(const Light& light, vtkDataObject* output)
   shape->InsertNextValue(static_cast<int>(light.Shape));
   vtkFieldData* data = output->GetFieldData();
   data->AddArray(shape);
-  AddDoubles(data, "LightCenter", 3, { light.Center.X, light.Center.Y, light.Center.Z });
-  AddDoubles(data, "LightNormal", 3, { light.Normal.X, light.Normal.Y, light.Normal.Z });
-  AddDoubles(data, "LightAxes", 3,
-    { light.AxisU.X, light.AxisU.Y, light.AxisU.Z, light.AxisV.X, light.AxisV.Y, light.AxisV.Z });
-  AddDoubles(data, "LightRadius", 1, { light.Radius });
-  AddDoubles(data, "LightSpectrum", 1, light.Spectrum);
+  AddDoubleArray(data, "LightCenter", 3, { light.Center.X, light.Center.Y, light.Center.Z });
+  AddDoubleArray(data, "LightNormal", 3, { light.Normal.X, light.Normal.Y, light.Normal.Z });
+  AddDoubleArray(
+    data, "LightAxes", 3, { light.AxisU.X, light.AxisU.Y, light.AxisU.Z, light.AxisV.X, light.AxisV.Y, light.AxisV.Z });
+  AddDoubleArray(data, "LightRadius", 1, { light.Radius });
+  AddDoubleArray(data, "LightSpectrum", 1, light.Spectrum);
 }
 
 //------------------------------------------------------------------------------
@@ -260,8 +246,8 @@ bool ReadLight(vtkPolyData* input, Light& light, std::string& error)
       return false;
     }
     light.Shape = static_cast<LightShape>(static_cast<int>(shape[0]));
-    read = light.Shape == LightShape::Mesh ? ReadMesh(input, light, error)
-                                           : ReadShape(input->GetFieldData(), light, error);
+    read =
+      light.Shape == LightShape::Mesh ? ReadMesh(input, light, error) : ReadShape(input->GetFieldData(), light, error);
   }
   if (!read)
   {
@@ -273,6 +259,21 @@ bool ReadLight(vtkPolyData* input, Light& light, std::string& error)
     error = fault;
   }
   return !fault;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> ReadWavelengths(vtkPolyData* light, std::size_t count)
+{
+  vtkDataArray* array = light->GetFieldData()->GetArray("LightWavelengths");
+  std::vector<double> wavelengths = DefaultWavelengths(static_cast<int>(count));
+  if (array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == static_cast<vtkIdType>(count))
+  {
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      wavelengths[k] = array->GetComponent(static_cast<vtkIdType>(k), 0);
+    }
+  }
+  return wavelengths;
 }
 
 } // namespace shadowcones

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file scDensityImage.h
+ * @file scDensityData.h
  * @brief The density of a medium as image data.
  */
-#ifndef scDensityImage_h
-#define scDensityImage_h
+#ifndef scDensityData_h
+#define scDensityData_h
 
-#include "ShadowConesImagingModule.h"
+#include "ShadowConesDataModule.h"
 #include "scDensityGrid.h"
 
 #include <string>
@@ -22,7 +22,7 @@ namespace shadowcones
  * point the density is constant. @return false, with a sentence in @p error that names what is missing or the point whose
  * value is negative or not finite.
  */
-SHADOWCONESIMAGING_EXPORT bool ReadDensity(vtkImageData* input, DensityGrid& grid, std::string& error);
+SHADOWCONESDATA_EXPORT bool ReadDensity(vtkImageData* input, DensityGrid& grid, std::string& error);
 
 } // namespace shadowcones
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scDensityImage.h"
+#include "scDensityData.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -57,7 +57,7 @@ std::string ErrorOf(vtkImageData* image)
 
 } // namespace
 
-TEST(DensityImage, KeepsItsPlace)
+TEST(DensityData, KeepsItsPlace)
 {
   // Origin, spacing, an extent that does not start at 0 and a turned direction matrix, one after the other.
   for (int turn = 0; turn < 3; ++turn)
@@ -89,7 +89,7 @@ TEST(DensityImage, KeepsItsPlace)
   }
 }
 
-TEST(DensityImage, ASingleSliceHasNoThickness)
+TEST(DensityData, ASingleSliceHasNoThickness)
 {
   vtkNew<vtkImageData> image;
   image->SetExtent(0, 0, 0, 4, 3, 3);
@@ -103,7 +103,7 @@ TEST(DensityImage, ASingleSliceHasNoThickness)
   EXPECT_NEAR(Read(image).At({ -70.0, 0.75, 900.0 }), 2.5, 1e-6);
 }
 
-TEST(DensityImage, PrefersTheNamedArrayThenScalarsThenTheFirst)
+TEST(DensityData, PrefersTheNamedArrayThenScalarsThenTheFirst)
 {
   const auto add = [](vtkImageData* image, const char* name, unsigned char value, bool scalars)
   {
@@ -127,7 +127,7 @@ TEST(DensityImage, PrefersTheNamedArrayThenScalarsThenTheFirst)
   EXPECT_EQ(Read(image).At({ 0.5, 0.5, 0.5 }), 3.0);
 }
 
-TEST(DensityImage, FaultsAreNamed)
+TEST(DensityData, FaultsAreNamed)
 {
   EXPECT_NE(ErrorOf(nullptr).find("no points"), std::string::npos);
   vtkNew<vtkImageData> image;

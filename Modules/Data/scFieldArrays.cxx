@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scFieldArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+namespace shadowcones
+{
+namespace
+{
+
+template <typename ArrayT, typename T>
+void AddArray(vtkFieldData* data, const char* name, int components, const std::vector<T>& values)
+{
+  vtkNew<ArrayT> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  data->AddArray(array);
+}
+
+} // namespace
+
+bool FindArray(vtkFieldData* data, const char* owner, const char* name, int components, vtkIdType tuples, Need need,
+  vtkDataArray*& array, std::string& error)
+{
+  array = data->GetArray(name);
+  if (!array)
+  {
+    if (need == Need::Required)
+    {
+      error = std::string("The ") + owner + " has no array \"" + name + "\".";
+      return false;
+    }
+    return true;
+  }
+  if (array->GetNumberOfComponents() != components)
+  {
+    error = std::string("The array \"") + name + "\" of the " + owner + " has " +
+      std::to_string(array->GetNumberOfComponents()) + " components where " + std::to_string(components) +
+      " are needed.";
+    return false;
+  }
+  if (array->GetNumberOfTuples() != tuples)
+  {
+    error = std::string("The array \"") + name + "\" of the " + owner + " has " +
+      std::to_string(array->GetNumberOfTuples()) + " tuples where " + std::to_string(tuples) + " are needed.";
+    return false;
+  }
+  return true;
+}
+
+bool CheckAttributes(vtkDataSetAttributes* data, vtkIdType count, const char* what, std::string& error)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const vtkIdType tuples = data->GetAbstractArray(i)->GetNumberOfTuples();
+    if (tuples < count)
+    {
+      const char* name = data->GetAbstractArray(i)->GetName();
+      error = std::string("The ") + what + " array \"" + (name ? name : "") + "\" has " + std::to_string(tuples) +
+        " tuples where " + std::to_string(count) + " are needed.";
+      return false;
+    }
+  }
+  return true;
+}
+
+void AddFloatArray(vtkFieldData* data, const char* name, int components, const std::vector<float>& values)
+{
+  AddArray<vtkFloatArray>(data, name, components, values);
+}
+
+void AddDoubleArray(vtkFieldData* data, const char* name, int components, const std::vector<double>& values)
+{
+  AddArray<vtkDoubleArray>(data, name, components, values);
+}
+
+void AddIntArray(vtkFieldData* data, const char* name, int components, const std::vector<int>& values)
+{
+  AddArray<vtkIntArray>(data, name, components, values);
+}
+
+void AddIdArray(vtkFieldData* data, const char* name, const std::vector<vtkIdType>& values)
+{
+  AddArray<vtkIdTypeArray>(data, name, 1, values);
+}
+
+void AddByteArray(vtkFieldData* data, const char* name, const std::vector<unsigned char>& values)
+{
+  AddArray<vtkUnsignedCharArray>(data, name, 1, values);
+}
+
+void SetVertices(vtkPolyData* output, const std::vector<double>& points)
+{
+  const auto count = static_cast<vtkIdType>(points.size() / 3);
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(count);
+  std::copy(points.begin(), points.end(), coordinates->GetPointer(0));
+  vtkNew<vtkPoints> vtkpoints;
+  vtkpoints->SetDataTypeToDouble();
+  vtkpoints->SetData(coordinates);
+
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> connectivity;
+  offsets->SetNumberOfValues(count + 1);
+  connectivity->SetNumberOfValues(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    offsets->SetValue(i, i);
+    connectivity->SetValue(i, i);
+  }
+  offsets->SetValue(count, count);
+  vtkNew<vtkCellArray> vertices;
+  vertices->SetData(offsets, connectivity);
+  output->SetPoints(vtkpoints);
+  output->SetVerts(vertices);
+}
+
+} // namespace shadowcones

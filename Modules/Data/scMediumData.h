@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scMediumData.h
+ * @brief The coefficients of a medium, as set and as field data.
+ */
+#ifndef scMediumData_h
+#define scMediumData_h
+
+#include "ShadowConesDataModule.h"
+#include "scMedium.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+
+namespace shadowcones
+{
+
+/// A coefficient of one value and, where a wavelength sample has its own, of those: NaN where it has none.
+SHADOWCONESDATA_EXPORT void SetSample(std::vector<double>& spectrum, int index, double value);
+SHADOWCONESDATA_EXPORT double GetSample(const std::vector<double>& spectrum, int index, double all);
+/// Its values at every wavelength. @return false, with a sentence in @p error, where one is not valid or not used.
+SHADOWCONESDATA_EXPORT bool ReadCoefficient(const char* name, const std::vector<double>& spectrum, double all,
+  std::size_t wavelengths, std::vector<double>& values, std::string& error);
+
+/// SigmaS, SigmaA and MediumBounds as field data.
+SHADOWCONESDATA_EXPORT void WriteMedium(const Medium& medium, vtkFieldData* field);
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scTuples.h"
+
+#include "vtkPolyData.h"
+
+namespace shadowcones
+{
+namespace
+{
+
+/// Lengths this close to 1 are rounding, and are put right.
+constexpr double UnitTolerance = 1e-3;
+
+} // namespace
+
+void CopyPoints(vtkPolyData* input, std::vector<double>& points)
+{
+  const vtkIdType count = input->GetNumberOfPoints();
+  points.resize(3 * static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    input->GetPoint(i, points.data() + 3 * i);
+  }
+}
+
+bool CopyFinitePoints(vtkPolyData* input, const char* item, std::vector<double>& points, std::string& error)
+{
+  CopyPoints(input, points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (!std::isfinite(points[i]))
+    {
+      error = std::string("The position of ") + item + " " + std::to_string(i / 3) + " is not finite.";
+      return false;
+    }
+  }
+  return true;
+}
+
+bool CopyTriples(vtkDataArray* array, const char* item, std::vector<double>& values, std::string& error)
+{
+  values.resize(3 * static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double value = array->GetComponent(i, c);
+      if (!std::isfinite(value))
+      {
+        error =
+          std::string("The \"") + array->GetName() + "\" of " + item + " " + std::to_string(i) + " is not finite.";
+        return false;
+      }
+      values[3 * i + c] = value;
+    }
+  }
+  return true;
+}
+
+bool ReadUnitVector(vtkDataArray* array, const char* item, vtkIdType i, Vector3& vector, std::string& error)
+{
+  vector = { array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2) };
+  const double length = Length(vector);
+  if (!(std::abs(length - 1.0) <= UnitTolerance))
+  {
+    error = std::string("The \"") + array->GetName() + "\" of " + item + " " + std::to_string(i) +
+      (std::isfinite(length) ? " has the length " + std::to_string(length) + ", not 1." : " is not finite.");
+    return false;
+  }
+  vector = Normalized(vector);
+  return true;
+}
+
+bool CopyDirections(vtkDataArray* array, const char* item, std::vector<float>& directions, std::string& error)
+{
+  constexpr double singlePrecision = 1e-6;
+  directions.resize(3 * static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    Vector3 unit;
+    if (!ReadUnitVector(array, item, i, unit, error))
+    {
+      return false;
+    }
+    const Vector3 given{ array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2) };
+    const Vector3& kept = std::abs(Length(given) - 1.0) < singlePrecision ? given : unit;
+    for (int c = 0; c < 3; ++c)
+    {
+      directions[3 * i + c] = static_cast<float>(kept[c]);
+    }
+  }
+  return true;
+}
+
+} // namespace shadowcones

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scVectorData.h"
+
+#include "scFieldArrays.h"
+#include "scTuples.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace shadowcones
+{
+
+ShadowVectorView ShadowVectorArrays::View() const
+{
+  ShadowVectorView view;
+  view.Count = static_cast<vtkIdType>(this->Points.size() / 3);
+  view.Points = this->Points.data();
+  view.Directions = this->Directions.data();
+  view.EmissionPoints = this->EmissionPoints.empty() ? nullptr : this->EmissionPoints.data();
+  view.OccluderIds = this->OccluderIds.empty() ? nullptr : this->OccluderIds.data();
+  return view;
+}
+
+bool ReadShadowVectors(vtkPolyData* input, ShadowVectorArrays& vectors, std::string& error, bool needEmissionPoints)
+{
+  vectors = ShadowVectorArrays();
+  if (!input)
+  {
+    error = "There are no shadow vectors.";
+    return false;
+  }
+  const vtkIdType count = input->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return true;
+  }
+  vtkPointData* data = input->GetPointData();
+  const Need emission = needEmissionPoints ? Need::Required : Need::Optional;
+  vtkDataArray *directions, *emissionPoints, *occluderIds;
+  if (!FindArray(data, "shadow-vector input", "Direction", 3, count, Need::Required, directions, error) ||
+    !FindArray(data, "shadow-vector input", "EmissionPoint", 3, count, emission, emissionPoints, error) ||
+    !FindArray(data, "shadow-vector input", "OccluderId", 1, count, Need::Optional, occluderIds, error))
+  {
+    return false;
+  }
+  ShadowVectorArrays read;
+  if (!CopyFinitePoints(input, "shadow vector", read.Points, error) ||
+    !CopyDirections(directions, "shadow vector", read.Directions, error) ||
+    (emissionPoints && !CopyTriples(emissionPoints, "shadow vector", read.EmissionPoints, error)))
+  {
+    return false;
+  }
+  if (occluderIds)
+  {
+    CopyInts(occluderIds, read.OccluderIds);
+  }
+  vectors = std::move(read);
+  return true;
+}
+
+PhotonPathView PhotonPathArrays::View() const
+{
+  PhotonPathView view;
+  view.Count = static_cast<vtkIdType>(this->Points.size() / 3);
+  view.Points = this->Points.data();
+  view.EmissionPoints = this->EmissionPoints.data();
+  view.Directions = this->Directions.data();
+  view.States = this->States.data();
+  return view;
+}
+
+bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& error)
+{
+  paths = PhotonPathArrays();
+  if (!input)
+  {
+    error = "There are no photon paths.";
+    return false;
+  }
+  const vtkIdType count = input->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return true;
+  }
+  vtkPointData* data = input->GetPointData();
+  vtkDataArray *states, *emissionPoints, *directions;
+  if (!FindArray(data, "photon-path input", "PathState", 1, count, Need::Required, states, error) ||
+    !FindArray(data, "photon-path input", "EmissionPoint", 3, count, Need::Required, emissionPoints, error) ||
+    !FindArray(data, "photon-path input", "Direction", 3, count, Need::Required, directions, error))
+  {
+    return false;
+  }
+  PhotonPathArrays read;
+  if (!CopyFinitePoints(input, "photon path", read.Points, error) ||
+    !CopyTriples(emissionPoints, "photon path", read.EmissionPoints, error) ||
+    !CopyDirections(directions, "photon path", read.Directions, error))
+  {
+    return false;
+  }
+  CopyInts(states, read.States);
+  const auto wrong =
+    std::find_if(read.States.begin(), read.States.end(), [](int state) { return state != 0 && state != 1; });
+  if (wrong != read.States.end())
+  {
+    error = "The \"PathState\" of photon path " + std::to_string(wrong - read.States.begin()) + " is " +
+      std::to_string(*wrong) + ": it must be 0 (lit) or 1 (blocked).";
+    return false;
+  }
+  paths = std::move(read);
+  return true;
+}
+
+void WriteShadowVectors(const ShadowVectors& vectors, vtkPolyData* output)
+{
+  SetVertices(output, vectors.Points);
+  vtkPointData* data = output->GetPointData();
+  AddFloatArray(data, "Direction", 3, vectors.Directions);
+  AddFloatArray(data, "Normal", 3, vectors.Normals);
+  AddIntArray(data, "OccluderId", 1, vectors.OccluderIds);
+  AddDoubleArray(data, "EmissionPoint", 3, vectors.EmissionPoints);
+  AddFloatArray(data, "PathLength", 1, vectors.PathLengths);
+  AddFloatArray(data, "Thickness", 1, vectors.Thicknesses);
+  AddIdArray(data, "PhotonIndex", vectors.PhotonIndices);
+}
+
+void WritePhotonPaths(const PhotonPaths& paths, vtkPolyData* output)
+{
+  SetVertices(output, paths.Points);
+  vtkPointData* data = output->GetPointData();
+  AddIntArray(data, "PathState", 1, paths.States);
+  AddIntArray(data, "OccluderId", 1, paths.OccluderIds);
+  AddDoubleArray(data, "EmissionPoint", 3, paths.EmissionPoints);
+  AddFloatArray(data, "Direction", 3, paths.Directions);
+  AddFloatArray(data, "Power", 1, paths.Powers);
+  AddIdArray(data, "PhotonIndex", paths.PhotonIndices);
+}
+
+void WriteShadowPhotons(const ShadowPhotons& photons, vtkPolyData* output)
+{
+  SetVertices(output, photons.Points);
+  vtkPointData* data = output->GetPointData();
+  AddFloatArray(data, "Normal", 3, photons.Normals);
+  AddFloatArray(data, "Direction", 3, photons.Directions);
+  AddFloatArray(data, "Power", 1, photons.Powers);
+  AddIntArray(data, "OccluderId", 1, photons.OccluderIds);
+  AddIntArray(data, "ReceiverId", 1, photons.ReceiverIds);
+  AddIdArray(data, "PhotonIndex", photons.PhotonIndices);
+}
+
+} // namespace shadowcones

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scVectorData.h
+ * @brief Shadow vectors, photon paths and shadow photons as poly data.
+ */
+#ifndef scVectorData_h
+#define scVectorData_h
+
+#include "ShadowConesDataModule.h"
+#include "scConeSet.h"
+#include "scShadowVectors.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace shadowcones
+{
+
+/// Shadow vectors as read from a data set; holds what ShadowVectorView points to.
+struct SHADOWCONESDATA_EXPORT ShadowVectorArrays
+{
+  std::vector<double> Points;         ///< 3
+  std::vector<float> Directions;      ///< 3
+  std::vector<double> EmissionPoints; ///< 3; empty where the input has none
+  std::vector<int> OccluderIds;       ///< empty where the input has none
+
+  ShadowVectorView View() const;
+};
+
+/**
+ * Read shadow vectors: "Direction" is required, "OccluderId" is optional, "EmissionPoint" is optional unless
+ * @p needEmissionPoints. @return false, with a sentence in @p error that names the array or the vector at fault.
+ */
+SHADOWCONESDATA_EXPORT bool ReadShadowVectors(
+  vtkPolyData* input, ShadowVectorArrays& vectors, std::string& error, bool needEmissionPoints = false);
+
+/// Photon paths as read from a data set; holds what PhotonPathView points to.
+struct SHADOWCONESDATA_EXPORT PhotonPathArrays
+{
+  std::vector<double> Points;         ///< 3, where the path ends
+  std::vector<double> EmissionPoints; ///< 3
+  std::vector<float> Directions;      ///< 3
+  std::vector<int> States;            ///< 0 lit, 1 blocked
+
+  PhotonPathView View() const;
+};
+
+/**
+ * Read photon paths: "PathState" (0 or 1), "EmissionPoint" and "Direction", one tuple a point. @return false, with a
+ * sentence in @p error that names the array or the path at fault.
+ */
+SHADOWCONESDATA_EXPORT bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& error);
+
+/// Write the documented arrays of shadow vectors, photon paths and shadow photons, a vertex each.
+SHADOWCONESDATA_EXPORT void WriteShadowVectors(const ShadowVectors& vectors, vtkPolyData* output);
+SHADOWCONESDATA_EXPORT void WritePhotonPaths(const PhotonPaths& paths, vtkPolyData* output);
+SHADOWCONESDATA_EXPORT void WriteShadowPhotons(const ShadowPhotons& photons, vtkPolyData* output);
+
+} // namespace shadowcones
+
+#endif
