@@ -211,7 +211,7 @@ private:
   const LightStrata Strata;
   LightSampler Sampler;
   Rays& Tests;
-  Camera::Ray Ray;
+  Ray Ray;
   double Begin = 0.0;
   double Threshold = 0.0;
   std::uint64_t PixelSeed = 0;

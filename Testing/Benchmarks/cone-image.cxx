@@ -103,7 +103,7 @@ private:
 /// The part of a pixel's ray in the medium, t = Nearest + Distance tan(angle), and the unshadowed light of its cells.
 struct PixelRay
 {
-  Camera::Ray Line;
+  Ray Line;
   double Begin = 0.0;
   double End = 0.0;
   double Nearest = 0.0;
@@ -138,7 +138,7 @@ struct PixelRay
   }
 };
 
-PixelRay MakeRay(const Camera::Ray& line, const BenchmarkScene& scene, const OccluderScene& room,
+PixelRay MakeRay(const Ray& line, const BenchmarkScene& scene, const OccluderScene& room,
   const Integrand& integrand)
 {
   PixelRay ray;

@@ -127,7 +127,7 @@ struct ImageTestScene
     }
     return this->Render(mode, &cones, needsGrid ? &grid : nullptr);
   }
-  Camera::Ray PixelRay(int i, int j) const
+  Ray PixelRay(int i, int j) const
   {
     return this->Eye.PixelRay(i, j, this->Options.Width, this->Options.Height);
   }

@@ -125,7 +125,7 @@ TEST(FilterForms, AirlightOfAPointLight)
   {
     for (int i = 0; i < size; ++i)
     {
-      const Camera::Ray ray = camera.PixelRay(i, j, size, size);
+      const Ray ray = camera.PixelRay(i, j, size, size);
       double begin = 0.0;
       double end = HUGE_VAL;
       ASSERT_TRUE(bounds.Clip(ray.Origin, ray.Direction, begin, end));

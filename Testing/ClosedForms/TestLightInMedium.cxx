@@ -95,7 +95,7 @@ TEST(LightInMediumForms, APointLightIsClosedFormFive)
     const ScatteringImage image = scene.Render(ScatteringMode::Guided, nullptr, nullptr);
     for (int pixel = 0; pixel < 81; pixel += 4)
     {
-      const Camera::Ray ray = scene.PixelRay(pixel % 9, pixel / 9);
+      const Ray ray = scene.PixelRay(pixel % 9, pixel / 9);
       double begin = 0.0;
       double end = HUGE_VAL;
       ASSERT_TRUE(scene.Fog.Bounds.Clip(ray.Origin, ray.Direction, begin, end));

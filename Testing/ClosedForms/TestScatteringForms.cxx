@@ -103,7 +103,7 @@ TEST(ScatteringForms, AirlightOfAPointLight)
   {
     for (int i = 0; i < size; ++i)
     {
-      const Camera::Ray ray = camera.PixelRay(i, j, size, size);
+      const Ray ray = camera.PixelRay(i, j, size, size);
       double begin = 0.0;
       double end = HUGE_VAL;
       ASSERT_TRUE(medium.Bounds.Clip(ray.Origin, ray.Direction, begin, end));
@@ -136,7 +136,7 @@ TEST(ScatteringForms, AirlightBehindABar)
   {
     for (int i = 0; i < size; ++i)
     {
-      const Camera::Ray ray = camera.PixelRay(i, j, size, size);
+      const Ray ray = camera.PixelRay(i, j, size, size);
       double begin = 0.0;
       double end = HUGE_VAL;
       ASSERT_TRUE(medium.Bounds.Clip(ray.Origin, ray.Direction, begin, end));

@@ -19,7 +19,7 @@ constexpr double Tolerance = 0.005;
 
 /// Every pixel and wavelength of every mode against @p expected(ray, wavelength).
 void ExpectEveryMode(
-  const ImageTestScene& scene, const std::function<double(const Camera::Ray& ray, std::size_t wavelength)>& expected)
+  const ImageTestScene& scene, const std::function<double(const Ray& ray, std::size_t wavelength)>& expected)
 {
   const std::size_t wavelengths = scene.Source.Spectrum.size();
   std::vector<double> truth;
@@ -54,7 +54,7 @@ void ExpectEveryMode(
 }
 
 /// Where a ray is inside the endless cone with its apex at the origin and x^2 + y^2 <= (slope z)^2, z > nearest.
-std::vector<std::pair<double, double>> InsideCone(const Camera::Ray& ray, double slope, double nearest)
+std::vector<std::pair<double, double>> InsideCone(const Ray& ray, double slope, double nearest)
 {
   const Vector3& o = ray.Origin;
   const Vector3& d = ray.Direction;
@@ -101,7 +101,7 @@ std::vector<std::pair<double, double>> Around(const std::vector<std::pair<double
   return lit;
 }
 
-double EndInMedium(const ImageTestScene& scene, const Camera::Ray& ray)
+double EndInMedium(const ImageTestScene& scene, const Ray& ray)
 {
   double begin = 0.0;
   double end = HUGE_VAL;
@@ -121,7 +121,7 @@ TEST(ScatteringModes, AirlightOfAPointLight)
   scene.SetSize(6, 6);
   scene.GridOptions.Dimensions = { 9, 9, 9 };
   ExpectEveryMode(scene,
-    [&](const Camera::Ray& ray, std::size_t k)
+    [&](const Ray& ray, std::size_t k)
     {
       const Vector3 toLight = scene.Source.Center - ray.Origin;
       const double gamma = std::acos(Dot(toLight, ray.Direction) / Length(toLight));
@@ -146,7 +146,7 @@ TEST(ScatteringModes, AirlightBehindADisc)
   scene.GridOptions.BrickParts = 4;
   int shadowed = 0;
   ExpectEveryMode(scene,
-    [&](const Camera::Ray& ray, std::size_t k)
+    [&](const Ray& ray, std::size_t k)
     {
       const auto dark = InsideCone(ray, r / L, L);
       shadowed += !dark.empty();
@@ -176,7 +176,7 @@ TEST(ScatteringModes, SunBehindDiscs)
   scene.GridOptions.BrickParts = 4;
   int shadowed = 0;
   ExpectEveryMode(scene,
-    [&](const Camera::Ray& ray, std::size_t k)
+    [&](const Ray& ray, std::size_t k)
     {
       std::vector<std::pair<double, double>> dark;
       for (const double* disc : discs)
@@ -215,7 +215,7 @@ TEST(ScatteringModes, SolidAngleOfADisc)
       scene.GridOptions.Dimensions = { 3, 3, 3 };
       SCOPED_TRACE(std::string(place.Name) + ", h " + std::to_string(h));
       ExpectEveryMode(scene,
-        [&](const Camera::Ray&, std::size_t)
+        [&](const Ray&, std::size_t)
         { return 0.01 * side * 2.0 * closedforms::DiscSolidAngle(R, h) / (4.0 * closedforms::Pi); });
     }
   }
@@ -235,7 +235,7 @@ TEST(ScatteringModes, RayUpToADisc)
   scene.SetSize(1, 1);
   scene.GridOptions.Dimensions = { 9, 9, 9 };
   ExpectEveryMode(
-    scene, [&](const Camera::Ray&, std::size_t) { return 0.5 * sigma * (H - std::hypot(H, R) + R); });
+    scene, [&](const Ray&, std::size_t) { return 0.5 * sigma * (H - std::hypot(H, R) + R); });
 }
 
 TEST(ScatteringModes, AxisBehindADiscUnderADisc)
@@ -257,7 +257,7 @@ TEST(ScatteringModes, AxisBehindADiscUnderADisc)
   scene.Options.NumberOfSteps = 64;
   scene.GridOptions.NumberOfLightSamples = 256;
   ExpectEveryMode(scene,
-    [&](const Camera::Ray&, std::size_t)
+    [&](const Ray&, std::size_t)
     {
       return sigma * 2.0 / (4.0 * closedforms::Pi) *
         closedforms::Integrate(
@@ -303,7 +303,7 @@ TEST(ScatteringModes, FurnaceOfAllPhaseFunctions)
     scene.Fog.Phase.Kind = kind;
     scene.Fog.Phase.Asymmetry = 0.5;
     SCOPED_TRACE("phase function " + std::to_string(static_cast<int>(kind)));
-    ExpectEveryMode(scene, [&](const Camera::Ray&, std::size_t) { return 2.0 * sigma * 2.0; });
+    ExpectEveryMode(scene, [&](const Ray&, std::size_t) { return 2.0 * sigma * 2.0; });
   }
 }
 

@@ -12,7 +12,7 @@ THIRD_PARTIES = re.compile(r"embree|rtcore|^pcl/|flann|OpenMesh|Eigen", re.IGNOR
 def faults(root):
     installed = set(sourcetree.installed_headers(root))
     names = {path.split("/")[-1] for path in installed}
-    ours = {path.split("/")[-1] for path in sourcetree.files(root) if re.fullmatch(r"Modules/\w+/\w+\.h", path)}
+    ours = {path.split("/")[-1] for path in sourcetree.files(root) if re.fullmatch(r"Modules/\w+/(\w+/)?\w+\.h", path)}
     for path in sorted(installed):
         if not os.path.exists(os.path.join(root, path)):
             yield f"{path}: listed in CMakeLists.txt and not there"

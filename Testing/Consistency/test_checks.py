@@ -18,15 +18,19 @@ import check_licence
 import check_links
 import check_messages
 import check_paths
+import check_rooms
 import numpy as np
 
 LICENCE = "// SPDX-License-Identifier: BSD-3-Clause\n"
 CMAKE = "# SPDX-License-Identifier: BSD-3-Clause\n"
 
 SOUND = {
-    "Modules/Core/CMakeLists.txt": CMAKE + "set(headers scRay.h)\nadd(HEADERS ${headers} PRIVATE_HEADERS scInside.h)",
-    "Modules/Core/scRay.h": LICENCE + '#include "vtkType.h"\n',
-    "Modules/Core/scInside.h": LICENCE + "#include <embree3/rtcore.h>\n",
+    "Modules/Core/CMakeLists.txt": CMAKE + "set(headers Base/scRay.h)\nadd(HEADERS ${headers} PRIVATE_HEADERS Mesh/scInside.h)",
+    "Modules/Core/README.md": "| room | may include | what |\n|---|---|---|\n| Base | | a |\n| Mesh | Base | b |\n"
+                              "| Cones | Base | c |\n",
+    "Modules/Core/Base/scRay.h": LICENCE + '#include "vtkType.h"\n',
+    "Modules/Core/Mesh/scInside.h": LICENCE + '#include <embree3/rtcore.h>\n#include "scRay.h"\n',
+    "Modules/Core/Cones/scCone.cxx": LICENCE + '#include "scRay.h"\n',
     "Modules/Filters/CMakeLists.txt": CMAKE + "set(classes\n  vtkThing)\n",
     "Modules/Filters/vtkThing.h": LICENCE + '#include "vtkPolyDataAlgorithm.h"\n',
     "Modules/Filters/Testing/Cxx/TestThing.cxx": LICENCE + '#include "vtkThing.h"\n',
@@ -87,7 +91,8 @@ class Thing:
         return (0.0, 1.0)
 
 
-CHECKS = (check_classes, check_core_includes, check_installed_headers, check_licence, check_links, check_paths)
+CHECKS = (check_classes, check_core_includes, check_installed_headers, check_licence, check_links, check_paths,
+          check_rooms)
 
 
 class TestChecks(unittest.TestCase):
@@ -106,18 +111,28 @@ class TestChecks(unittest.TestCase):
 
     def test_core_includes(self):
         for name in ("vtkPolyData.h", "vtkInformation.h", "vtkAlgorithm.h"):
-            changes = {"Modules/Core/scRay.h": LICENCE + f'#include "{name}"\n'}
+            changes = {"Modules/Core/Base/scRay.h": LICENCE + f'#include "{name}"\n'}
             self.assertEqual(len(self.faults(check_core_includes, changes)), 1, name)
+
+    def test_rooms(self):
+        inside, cone = "Modules/Core/Mesh/scInside.h", "Modules/Core/Cones/scCone.cxx"
+        for changes in ({cone: SOUND[cone] + '#include "scInside.h"\n'},
+                        {"Modules/Core/Base/scRay.h": LICENCE + '#include "scInside.h"\n'},
+                        {"Modules/Core/scLoose.cxx": LICENCE},
+                        {"Modules/Core/Attic/scOld.h": LICENCE},
+                        {"Modules/Core/README.md": SOUND["Modules/Core/README.md"].replace("| Base | c", "| Roof | c")}):
+            self.assertGreaterEqual(len(self.faults(check_rooms, changes)), 1, changes)
+        self.assertEqual(self.faults(check_rooms, {inside: SOUND[inside] + '#include "scRay.h"\n'}), [])
 
     def test_installed_headers(self):
         for name in ("<embree4/rtcore.h>", "<Eigen/Dense>", "<pcl/types.h>", "<OpenMesh/Core.hh>", '"scInside.h"'):
-            for path in ("Modules/Core/scRay.h", "Modules/Filters/vtkThing.h"):
+            for path in ("Modules/Core/Base/scRay.h", "Modules/Filters/vtkThing.h"):
                 changes = {path: LICENCE + f"#include {name}\n"}
                 self.assertEqual(len(self.faults(check_installed_headers, changes)), 1, name)
-        self.assertEqual(len(self.faults(check_installed_headers, {"Modules/Core/scRay.h": None})), 1)
+        self.assertEqual(len(self.faults(check_installed_headers, {"Modules/Core/Base/scRay.h": None})), 1)
 
     def test_licence(self):
-        for path in ("Modules/Core/scRay.h", "Modules/Core/CMakeLists.txt", "Examples/Python/a.py", "Utilities/run"):
+        for path in ("Modules/Core/Base/scRay.h", "Modules/Core/CMakeLists.txt", "Examples/Python/a.py", "Utilities/run"):
             self.assertEqual(len(self.faults(check_licence, {path: "\n" + LICENCE})), 1, path)
         self.assertEqual(self.faults(check_licence, {"Utilities/run": "#!/bin/sh\n" + CMAKE}), [])
 

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scLitTile.h
+ * @brief The unshadowed medium term of a square of pixels, from few rays and with a checked error. Internal to Core.
+ *
+ * The term is smooth over the image but at the edges of the medium and next to the light. Nine rays of a square are
+ * computed and the others interpolated quadratically between them; other rays of the square are computed too and must
+ * agree, else the rules become finer, or the square is cut in four. Squares of two pixels compute every ray.
+ */
+#ifndef scLitTile_h
+#define scLitTile_h
+
+#include "scCamera.h"
+#include "scLitProfile.h"
+#include "vtkType.h"
+
+#include <array>
+#include <vector>
+
+namespace shadowcones
+{
+
+/// The profile of one pixel's ray: see LitProfileLayout.
+struct LitPixel
+{
+  Ray Line;
+  MediumSpan Span;
+  double Reference = 0.0;    ///< edges are distances from here
+  double Tolerance = 0.0;    ///< error that was allowed, relative to the sum or a tenth of the image's typical sum
+  std::vector<float> Values; ///< edges, then cells: integrals over cells, no longer scaled
+
+  double EdgeAt(int k) const { return this->Reference + this->Values[static_cast<std::size_t>(k)]; }
+  const float* Cells(int group) const
+  {
+    return this->Values.data() + LitProfileLayout::Edges + group * LitProfileLayout::Cells;
+  }
+};
+
+/// One a thread. Squares are aligned to the pixel (0, 0) of the image, so that results do not depend on what is asked for.
+class LitTile
+{
+public:
+  static constexpr int Side = 32; ///< pixels
+
+  /**
+   * @param tolerance largest error of checked rays, at any distance, over their sum; sums below a tenth of @p typical
+   * count as that: see TypicalLitSums.
+   */
+  LitTile(const LitQuadrature& quadrature, const Camera& camera, int width, int height, double tolerance,
+    const std::vector<double>& typical);
+
+  /// Prepare the square whose first pixel is (i0, j0).
+  void MoveTo(int i0, int j0);
+  /// The profile of pixel (i, j), counted over the whole image, in the square.
+  void Interpolate(int i, int j, LitPixel& pixel);
+
+  /// Rays computed so far.
+  vtkIdType NumberOfRays() const { return this->Rays; }
+
+private:
+  /// Nine rays at 0, 1/2 and 1 of a leaf's size, i fastest; one where the size is 1.
+  struct Sheet
+  {
+    int Faces = -1;
+    std::size_t Nodes = 0; ///< where their values begin
+  };
+  struct Leaf
+  {
+    int I = 0;
+    int J = 0;
+    int Size = 0;
+    LitLevel Level;
+    double Tolerance = 0.0;
+    double Reference = 0.0;
+    std::size_t FirstSheet = 0; ///< one for each pair of faces that its rays pass
+    std::size_t EndOfSheets = 0;
+  };
+
+  Ray RayOf(int i, int j) const { return this->Eye.PixelRay(i, j, this->Width, this->Height); }
+  MediumSpan SpanOf(int i, int j) const { return this->Quadrature.Spans.Find(this->RayOf(i, j)); }
+  void Cut(int i, int j, int size, LitLevel level, double tolerance);
+  bool Affords(const LitLevel& level) const;
+  void RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tolerance);
+  bool AddLeaf(int i, int j, int size, const LitLevel& level, double tolerance);
+  bool AddSheet(Leaf& leaf, int faces);
+  void AddPixel(int i, int j, const LitLevel& level, double tolerance);
+  void Register(const Leaf& leaf);
+  void Blend(const Leaf& leaf, const Sheet& sheet, int i, int j, float* values);
+  void Evaluate(int i, int j, const MediumSpan& span, double reference, const LitLevel& level, float* values);
+  double Difference(const float* a, const float* b, double factor) const;
+
+  const LitQuadrature& Quadrature;
+  const Camera& Eye;
+  int Width;
+  int Height;
+  double Tolerance;
+  std::vector<double> Smallest; ///< sums of a group below this count as this
+  int I0 = 0;
+  int J0 = 0;
+  LitProfiler Profiler;
+  std::vector<Leaf> Leaves;
+  std::vector<Sheet> Sheets;
+  std::vector<float> Values;
+  std::vector<int> LeafOf; ///< a pixel of the square
+  std::vector<float> Columns; ///< of the sheet and row that were blended last
+  std::size_t BlendedNodes = 0;
+  int BlendedRow = -1;
+  std::array<std::vector<float>, 2> Scratch;
+  vtkIdType Rays = 0;
+};
+
+/// Mean of the unshadowed term of every group over rays all over the image.
+std::vector<double> TypicalLitSums(const LitQuadrature& quadrature, const Camera& camera, int width, int height);
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scRayMarcher.h"
+
+#include <algorithm>
+
+namespace shadowcones
+{
+
+namespace
+{
+
+/// Keys of base nodes are this many bits apart: room for 16 halvings between them.
+constexpr int keyBits = 16;
+
+} // namespace
+
+RayMarcher::RayMarcher(const MarchScene& scene)
+  : Scene(scene)
+  , NumberOfGroups(scene.Groups.Count())
+  , Sampler(scene.LightSource, scene.Options.Sampling)
+  , Depth(scene.Fog)
+  , Intensities(static_cast<std::size_t>(scene.Strata.Count()))
+{
+}
+
+void RayMarcher::March(const Ray& ray, double tBegin, double tEnd, std::uint64_t pixel)
+{
+  this->Ray = ray;
+  this->Depth.SetRay(ray.Origin, ray.Direction, tBegin, tEnd);
+  this->PixelSeed = HashSeed(this->Scene.Options.Seed, pixel);
+  this->Sums.assign(static_cast<std::size_t>(this->NumberOfGroups), 0.0);
+  this->SumOfVariances = 0.0;
+  this->Samples = 0;
+  this->OcclusionRays = 0;
+
+  this->FindStretches(tBegin, tEnd);
+  const std::size_t slots = this->Nodes.size() + static_cast<std::size_t>(this->Scene.Options.MaximumDepth);
+  this->Values.resize(slots * static_cast<std::size_t>(this->NumberOfGroups));
+
+  this->EvaluateBaseNodes();
+  for (const Stretch& stretch : this->Stretches)
+  {
+    this->PendingWeight = 0.0;
+    const Node* nodes = this->Nodes.data() + stretch.FirstNode;
+    for (int step = 0; step < stretch.NumberOfSteps; ++step)
+    {
+      this->Refine(nodes[step], nodes[step + 1], 0);
+    }
+    this->Add(nodes[stretch.NumberOfSteps], this->PendingWeight);
+  }
+}
+
+void RayMarcher::FindStretches(double tBegin, double tEnd)
+{
+  const ScatteringOptions& options = this->Scene.Options;
+  this->Intervals.clear();
+  if (options.Mode != ScatteringMode::BruteForce && this->Scene.Cones)
+  {
+    this->Scene.Cones->Intersect(this->Ray.Origin, this->Ray.Direction, tBegin, tEnd, this->Intervals);
+  }
+  if (options.Mode == ScatteringMode::Medium)
+  {
+    // A node on the very edge of a cone gets its rays, whatever the rounding.
+    const double margin = 1e-9 * (tEnd - tBegin);
+    for (RayInterval& interval : this->Intervals)
+    {
+      interval.Begin -= margin;
+      interval.End += margin;
+    }
+  }
+
+  // Fast marches over what cones leave; the others over everything.
+  this->Stretches.clear();
+  const double step = (tEnd - tBegin) / options.NumberOfSteps;
+  double begin = tBegin;
+  std::size_t nodes = 0;
+  const auto add = [&](double from, double to)
+  {
+    if (to > from)
+    {
+      const int steps =
+        from == tBegin && to == tEnd ? options.NumberOfSteps : static_cast<int>(std::ceil((to - from) / step));
+      this->Stretches.push_back({ from, to, nodes, std::max(steps, 1) });
+      nodes += static_cast<std::size_t>(this->Stretches.back().NumberOfSteps) + 1;
+    }
+  };
+  if (options.Mode == ScatteringMode::Fast)
+  {
+    for (const RayInterval& interval : this->Intervals)
+    {
+      add(begin, interval.Begin);
+      begin = std::max(begin, interval.End);
+    }
+  }
+  add(begin, tEnd);
+
+  this->Nodes.resize(nodes);
+  for (const Stretch& stretch : this->Stretches)
+  {
+    for (int k = 0; k <= stretch.NumberOfSteps; ++k)
+    {
+      const std::size_t index = stretch.FirstNode + static_cast<std::size_t>(k);
+      const double share = static_cast<double>(k) / stretch.NumberOfSteps;
+      this->Nodes[index].T =
+        k == stretch.NumberOfSteps ? stretch.End : stretch.Begin + share * (stretch.End - stretch.Begin);
+      this->Nodes[index].Key = static_cast<std::uint64_t>(index) << keyBits;
+      this->Nodes[index].Slot = index;
+    }
+  }
+}
+
+void RayMarcher::EvaluateBaseNodes()
+{
+  // The ray's largest intensity comes from the base nodes, so that halving does not depend on the order of visits.
+  double largest = 0.0;
+  for (const Stretch& stretch : this->Stretches)
+  {
+    Node* nodes = this->Nodes.data() + stretch.FirstNode;
+    double densityBefore = 0.0;
+    for (int k = 0; k <= stretch.NumberOfSteps; ++k)
+    {
+      const double densityAfter = k < stretch.NumberOfSteps ? this->Depth.MeanDensity(nodes[k].T, nodes[k + 1].T) : 0.0;
+      const double density = std::max(densityBefore, densityAfter);
+      if (density > 0.0) // the others have no weight
+      {
+        this->Evaluate(nodes[k]);
+        largest = std::max(largest, density * nodes[k].Intensity);
+      }
+      densityBefore = densityAfter;
+    }
+  }
+  this->Threshold = this->Scene.Options.IntensityThreshold * largest;
+}
+
+bool RayMarcher::NeedsOcclusionRays(double t) const
+{
+  switch (this->Scene.Options.Mode)
+  {
+    case ScatteringMode::BruteForce:
+      return true;
+    case ScatteringMode::Fast:
+      return false;
+    default:
+      break;
+  }
+  const auto after = std::upper_bound(this->Intervals.begin(), this->Intervals.end(), t,
+    [](double value, const RayInterval& interval) { return value < interval.Begin; });
+  return after != this->Intervals.begin() && t <= (after - 1)->End;
+}
+
+void RayMarcher::Evaluate(Node& node)
+{
+  const MarchScene& scene = this->Scene;
+  const Vector3 point = this->Ray.Origin + node.T * this->Ray.Direction;
+  const bool testOcclusion = this->NeedsOcclusionRays(node.T);
+  const double cameraLeg = this->Depth.Along(node.T);
+  const double epsilon = scene.Occluders.Epsilon();
+  const int groups = this->NumberOfGroups;
+  const double* sigmaT = scene.Groups.SigmaT.data();
+  const double* meanSource = scene.Groups.MeanSource.data();
+  double* values = this->Values.data() + node.Slot * static_cast<std::size_t>(groups);
+  std::fill(values, values + groups, 0.0);
+
+  RandomStream random(this->PixelSeed, node.Key);
+  this->Sampler.MoveTo(point);
+  const int count = scene.Strata.Count();
+  for (int s = 0; s < count; ++s)
+  {
+    const LightStrata::Point uv = scene.Strata.Draw(s, random);
+    const IncidentSample sample = this->Sampler.Sample(uv.U, uv.V);
+    double intensity = 0.0;
+    if (sample.Weight > 0.0)
+    {
+      this->OcclusionRays += testOcclusion ? 1 : 0;
+      if (!testOcclusion || !scene.Occluders.Occluded(point, sample.Direction, epsilon, sample.Distance - epsilon))
+      {
+        const double cosine = Dot(sample.Direction, this->Ray.Direction);
+        const double source = sample.Weight * EvaluatePhaseFunction(scene.Fog.Phase, cosine);
+        const double lightLeg = this->Depth.Towards(point, sample.Direction, sample.Distance);
+        for (int g = 0; g < groups; ++g)
+        {
+          const double value = source * TransmittanceOver(sigmaT[g], cameraLeg + lightLeg);
+          values[g] += value;
+          intensity += meanSource[g] * value;
+        }
+      }
+    }
+    this->Intensities[static_cast<std::size_t>(s)] = intensity;
+  }
+  node.Intensity = 0.0;
+  for (int g = 0; g < groups; ++g)
+  {
+    values[g] /= count;
+    node.Intensity += meanSource[g] * values[g];
+  }
+  node.Variance = scene.Strata.VarianceOfMean(this->Intensities.data());
+  this->Samples += count;
+}
+
+void RayMarcher::Refine(const Node& a, const Node& b, int depth)
+{
+  // The density enters by its integral: a layer thinner than a step counts in full.
+  const double density = this->Depth.MeanDensity(a.T, b.T);
+  if (depth < this->Scene.Options.MaximumDepth && density * std::fabs(a.Intensity - b.Intensity) > this->Threshold)
+  {
+    Node middle;
+    middle.T = 0.5 * (a.T + b.T);
+    middle.Key = (a.Key + b.Key) / 2;
+    middle.Slot = this->Nodes.size() + static_cast<std::size_t>(depth);
+    this->Evaluate(middle);
+    this->Refine(a, middle, depth + 1);
+    this->Refine(middle, b, depth + 1);
+    return;
+  }
+  // A leaf: leaves come from left to right, so the weight of a is complete now.
+  const double half = 0.5 * (b.T - a.T) * density;
+  this->Add(a, this->PendingWeight + half);
+  this->PendingWeight = half;
+}
+
+void RayMarcher::Add(const Node& node, double weight)
+{
+  const double* values = this->Values.data() + node.Slot * static_cast<std::size_t>(this->NumberOfGroups);
+  for (int g = 0; g < this->NumberOfGroups; ++g)
+  {
+    this->Sums[static_cast<std::size_t>(g)] += weight * values[g];
+  }
+  this->SumOfVariances += weight * weight * node.Variance;
+}
+
+} // namespace shadowcones

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scRayMarcher.h
+ * @brief The adaptive march along one camera ray (Hougs and Day, section 4.3). Internal to Core.
+ */
+#ifndef scRayMarcher_h
+#define scRayMarcher_h
+
+#include "scExtinction.h"
+#include "scLightSampler.h"
+#include "scLightStrata.h"
+#include "scMediumDepth.h"
+#include "scScatteringImage.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace shadowcones
+{
+
+/// What all rays of an image share.
+struct MarchScene
+{
+  const OccluderScene& Occluders;
+  const Light& LightSource;
+  const Medium& Fog;
+  const ConeHierarchy* Cones; ///< nullptr: BruteForce
+  const ScatteringOptions& Options;
+  const ExtinctionGroups& Groups;
+  const LightStrata& Strata;
+};
+
+/**
+ * Marches rays, one after the other; one marcher a thread. Random numbers are a pure function of (Seed, pixel, node),
+ * where a node's key is its dyadic place on the ray: Medium takes the very samples of BruteForce.
+ */
+class RayMarcher
+{
+public:
+  explicit RayMarcher(const MarchScene& scene);
+
+  /// Integrate over [tBegin, tEnd], the part of the ray inside the medium; @p pixel counts over the whole image.
+  void March(const Ray& ray, double tBegin, double tEnd, std::uint64_t pixel);
+
+  /// Integral of W p(cos) T V density dt for each extinction group, to be multiplied by sigma_s L.
+  const std::vector<double>& Integrals() const { return this->Sums; }
+  /// Squared standard error of the mean over wavelengths of the in-scattered radiance.
+  double Variance() const { return this->SumOfVariances; }
+  int SampleCount() const { return this->Samples; }
+  vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
+
+private:
+  struct Node
+  {
+    double T = 0.0;
+    std::uint64_t Key = 0;
+    double Intensity = 0.0; ///< mean over wavelengths of the integrand, but for the density
+    double Variance = 0.0;  ///< of Intensity
+    std::size_t Slot = 0;   ///< index into Values, in groups
+  };
+  struct Stretch
+  {
+    double Begin;
+    double End;
+    std::size_t FirstNode;
+    int NumberOfSteps;
+  };
+
+  void FindStretches(double tBegin, double tEnd);
+  void Evaluate(Node& node);
+  void EvaluateBaseNodes();
+  bool NeedsOcclusionRays(double t) const;
+  void Refine(const Node& a, const Node& b, int depth);
+  void Add(const Node& node, double weight);
+
+  const MarchScene& Scene;
+  const int NumberOfGroups;
+  LightSampler Sampler;
+  MediumDepth Depth;
+  std::vector<double> Intensities; ///< of the light samples of one node
+  Ray Ray;
+  std::uint64_t PixelSeed = 0;
+  double Threshold = 0.0;     ///< absolute, of this ray
+  double PendingWeight = 0.0; ///< of the node at the left end of the next leaf interval
+
+  std::vector<RayInterval> Intervals;
+  std::vector<Stretch> Stretches;
+  std::vector<Node> Nodes;
+  std::vector<double> Values; ///< NumberOfGroups a slot: one slot a base node, then one a level of halving
+  std::vector<double> Sums;
+  double SumOfVariances = 0.0;
+  int Samples = 0;
+  vtkIdType OcclusionRays = 0;
+};
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scSurfaceShader.h
+ * @brief Direct light on the surfaces of a scattering image, and the light itself where it is seen. Internal to Core.
+ */
+#ifndef scSurfaceShader_h
+#define scSurfaceShader_h
+
+#include "scExtinction.h"
+#include "scLightRule.h"
+#include "scLightSampler.h"
+#include "scLightStrata.h"
+#include "scMediumDepth.h"
+#include "scPrimaryHits.h"
+#include "scRandom.h"
+#include "scSurfaceOcclusion.h"
+#include "scVisibleLight.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace shadowcones
+{
+
+/// What shading the pixels of an image shares.
+struct ShadingScene
+{
+  ShadingScene(const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups,
+    const VisibleLight& visibleLight, const PrimaryHits& hits);
+
+  const ScatteringScene& Scene;
+  const ScatteringOptions& Options;
+  const ExtinctionGroups& Groups;
+  const VisibleLight& Visible;
+  const PrimaryHits& Hits;
+  const SurfaceOcclusion Occlusion;
+  const LightStrata Strata;     ///< of a pixel with one ray
+  const LightStrata EdgeStrata; ///< of each ray of a pixel at an edge: together about as many as Strata
+  /// Of the rays of a pixel at an edge from its centre, in pixels.
+  const std::vector<std::array<double, 2>> EdgeOffsets;
+
+  /// Where nothing can hide the light, the modes that are not bound to the bytes of BruteForce integrate without noise.
+  const bool UsesRule;
+  /// The rule for light that nothing hides from a surface point.
+  const LightRule& RuleAt(const Vector3& point) const;
+
+private:
+  const LightRule Rule;
+  const LightRule NearRule; ///< close to a planar light, where the surface's horizon may cut it
+};
+
+/**
+ * Writes "SurfaceRadiance", "Transmittance", "Depth" and, from the finished medium term, "Radiance"; one a thread. A
+ * pixel at an edge takes surface and seen light from several rays, the rest from the ray through its centre.
+ */
+class SurfaceShader
+{
+public:
+  /// The image's arrays have their size; @p shading and @p image must outlive the shader.
+  SurfaceShader(const ShadingScene& shading, ScatteringImage& image);
+
+  void Shade(int i, int j);
+
+  vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
+
+private:
+  double SigmaT(std::size_t wavelength) const;
+  /// Add @p share of what the ray sees; @p key tells the random numbers of a pixel's rays apart.
+  void AddRay(const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, std::uint64_t pixel,
+    std::uint64_t key, double share);
+  void AddSurface(
+    const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, RandomStream random, double share);
+  void AddLit(const Vector3& direction, double distance, double weight);
+  void AddRule(const Vector3& normal);
+  void AddSamples(const Vector3& normal, const LightStrata& strata, bool trace, RandomStream& random);
+  std::uint64_t DrawBatch(const Vector3& normal, const LightStrata& strata, int first, int size, RandomStream& random);
+  std::uint64_t Occluded(std::uint64_t wanted);
+  void AddLight(const Ray& ray, const PrimaryHit& hit, double share);
+  bool InForeignCone(const Ray& ray, const PrimaryHit& hit);
+  double Reflectance(vtkIdType triangle, std::size_t wavelength) const;
+
+  /// Light samples of one point that are traced together.
+  struct LightBatch
+  {
+    static constexpr int Size = 64;
+    Vector3 Directions[Size];
+    double Distances[Size] = {};
+    double Weights[Size] = {};
+    double X[Size] = {}; ///< to the samples, for those that are traced
+    double Y[Size] = {};
+    double Z[Size] = {};
+  };
+
+  const ShadingScene& Shading;
+  const ScatteringScene& Scene;
+  const ScatteringOptions& Options;
+  const ExtinctionGroups& Groups;
+  ScatteringImage& Image;
+  const MediumDepth Depth;
+  LightSampler Sampler;
+  LightBatch Batch;
+  Vector3 Point; ///< on the surface that is shaded, a little above it
+  bool PointInside = false;
+  double CameraDepth = 0.0;
+  vtkIdType OcclusionRays = 0;
+  std::vector<Ray> EdgeRays;
+  std::vector<PrimaryHit> EdgeHits;
+  std::vector<double> Surface;   ///< of the pixel, per wavelength
+  std::vector<double> SeenLight; ///< of the pixel, per wavelength
+  std::vector<double> Sums;      ///< of one ray, per extinction group
+  std::vector<float> RuleValues; ///< weight, cosine and length in the medium of each point of a light rule
+  std::vector<RayInterval> Intervals;
+};
+
+} // namespace shadowcones
+
+#endif
