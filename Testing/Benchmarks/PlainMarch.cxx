@@ -112,20 +112,20 @@ public:
   double March(int i, int j)
   {
     const Medium& medium = this->Scene.Fog;
-    this->Ray = this->Scene.Eye.PixelRay(i, j, this->Options.Width, this->Options.Height);
+    this->CameraRay = this->Scene.Eye.PixelRay(i, j, this->Options.Width, this->Options.Height);
     this->Samples = 0;
     PrimaryHit hit;
     double begin = 0.0;
     double far = HUGE_VAL;
-    if (!medium.Bounds.Clip(this->Ray.Origin, this->Ray.Direction, begin, far))
+    if (!medium.Bounds.Clip(this->CameraRay.Origin, this->CameraRay.Direction, begin, far))
     {
       return 0.0;
     }
-    if (!this->Tests.Nearest(this->Ray.Origin, this->Ray.Direction, 1.01 * far, hit.T, hit.Triangle))
+    if (!this->Tests.Nearest(this->CameraRay.Origin, this->CameraRay.Direction, 1.01 * far, hit.T, hit.Triangle))
     {
       hit = PrimaryHit();
     }
-    const MediumSegment segment = SegmentInside(medium.Bounds, this->Scene.Occluders, this->Ray, hit);
+    const MediumSegment segment = SegmentInside(medium.Bounds, this->Scene.Occluders, this->CameraRay, hit);
     if (!segment.Crosses)
     {
       return 0.0;
@@ -173,7 +173,7 @@ private:
 
   void Evaluate(Node& node)
   {
-    const Vector3 point = this->Ray.Origin + node.T * this->Ray.Direction;
+    const Vector3 point = this->CameraRay.Origin + node.T * this->CameraRay.Direction;
     const double epsilon = this->Scene.Occluders.Epsilon();
     RandomStream random(this->PixelSeed, node.Key);
     this->Sampler.MoveTo(point);
@@ -198,7 +198,7 @@ private:
       {
         value += this->Groups.MeanSource[g] * TransmittanceOver(this->Groups.SigmaT[g], depth);
       }
-      const double cosine = Dot(sample.Direction, this->Ray.Direction);
+      const double cosine = Dot(sample.Direction, this->CameraRay.Direction);
       sum += sample.Weight * EvaluatePhaseFunction(this->Scene.Fog.Phase, cosine) * value;
     }
     node.Intensity = sum / this->Strata.Count();
@@ -211,7 +211,7 @@ private:
   const LightStrata Strata;
   LightSampler Sampler;
   Rays& Tests;
-  Ray Ray;
+  Ray CameraRay;
   double Begin = 0.0;
   double Threshold = 0.0;
   std::uint64_t PixelSeed = 0;

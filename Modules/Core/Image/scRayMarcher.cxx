@@ -25,7 +25,7 @@ RayMarcher::RayMarcher(const MarchScene& scene)
 
 void RayMarcher::March(const Ray& ray, double tBegin, double tEnd, std::uint64_t pixel)
 {
-  this->Ray = ray;
+  this->CameraRay = ray;
   this->Depth.SetRay(ray.Origin, ray.Direction, tBegin, tEnd);
   this->PixelSeed = HashSeed(this->Scene.Options.Seed, pixel);
   this->Sums.assign(static_cast<std::size_t>(this->NumberOfGroups), 0.0);
@@ -56,7 +56,7 @@ void RayMarcher::FindStretches(double tBegin, double tEnd)
   this->Intervals.clear();
   if (options.Mode != ScatteringMode::BruteForce && this->Scene.Cones)
   {
-    this->Scene.Cones->Intersect(this->Ray.Origin, this->Ray.Direction, tBegin, tEnd, this->Intervals);
+    this->Scene.Cones->Intersect(this->CameraRay.Origin, this->CameraRay.Direction, tBegin, tEnd, this->Intervals);
   }
   if (options.Mode == ScatteringMode::Medium)
   {
@@ -151,7 +151,7 @@ bool RayMarcher::NeedsOcclusionRays(double t) const
 void RayMarcher::Evaluate(Node& node)
 {
   const MarchScene& scene = this->Scene;
-  const Vector3 point = this->Ray.Origin + node.T * this->Ray.Direction;
+  const Vector3 point = this->CameraRay.Origin + node.T * this->CameraRay.Direction;
   const bool testOcclusion = this->NeedsOcclusionRays(node.T);
   const double cameraLeg = this->Depth.Along(node.T);
   const double epsilon = scene.Occluders.Epsilon();
@@ -174,7 +174,7 @@ void RayMarcher::Evaluate(Node& node)
       this->OcclusionRays += testOcclusion ? 1 : 0;
       if (!testOcclusion || !scene.Occluders.Occluded(point, sample.Direction, epsilon, sample.Distance - epsilon))
       {
-        const double cosine = Dot(sample.Direction, this->Ray.Direction);
+        const double cosine = Dot(sample.Direction, this->CameraRay.Direction);
         const double source = sample.Weight * EvaluatePhaseFunction(scene.Fog.Phase, cosine);
         const double lightLeg = this->Depth.Towards(point, sample.Direction, sample.Distance);
         for (int g = 0; g < groups; ++g)

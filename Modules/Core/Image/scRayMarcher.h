@@ -79,7 +79,7 @@ private:
   LightSampler Sampler;
   MediumDepth Depth;
   std::vector<double> Intensities; ///< of the light samples of one node
-  Ray Ray;
+  Ray CameraRay;
   std::uint64_t PixelSeed = 0;
   double Threshold = 0.0;     ///< absolute, of this ray
   double PendingWeight = 0.0; ///< of the node at the left end of the next leaf interval

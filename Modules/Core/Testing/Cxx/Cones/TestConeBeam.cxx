@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "scCamera.h"
 #include "scConeBeam.h"
 
 #include "scRandom.h"
