@@ -4,10 +4,56 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <exception>
+#include <mutex>
 
 namespace shadowcones
 {
+namespace
+{
+/// Carries an exception out of worker threads, in which none may escape: that of the first range, if several throw.
+class FirstException
+{
+public:
+  template <typename Body>
+  void Guard(vtkIdType first, vtkIdType last, const Body& body)
+  {
+    if (this->Thrown)
+    {
+      return;
+    }
+    try
+    {
+      body(first, last);
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      if (!this->What || first < this->First)
+      {
+        this->What = std::current_exception();
+        this->First = first;
+      }
+      this->Thrown = true;
+    }
+  }
+  void Rethrow() const
+  {
+    if (this->What)
+    {
+      std::rethrow_exception(this->What);
+    }
+  }
+
+private:
+  std::atomic<bool> Thrown{ false };
+  std::mutex Mutex;
+  std::exception_ptr What;
+  vtkIdType First = 0;
+};
+} // anonymous namespace
 
 Monitor Monitor::Part(double from, double to) const
 {
@@ -41,7 +87,9 @@ bool ParallelFor(
     }
     const vtkIdType end = std::min(count, begin + block);
     const auto start = Clock::now();
-    vtkSMPTools::For(begin, end, [&body](vtkIdType first, vtkIdType last) { body(first, last); });
+    FirstException exception;
+    vtkSMPTools::For(begin, end, [&](vtkIdType first, vtkIdType last) { exception.Guard(first, last, body); });
+    exception.Rethrow();
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
 
     begin = end;

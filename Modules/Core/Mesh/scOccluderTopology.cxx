@@ -12,6 +12,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <tuple>
 
 namespace shadowcones
 {
@@ -50,45 +51,41 @@ private:
   Ids Parents;
 };
 
-/// The mesh's points centred on its bounds and scaled to a diagonal of 1, so that neither place nor size matters.
+/// Differences of the mesh's points, over the diagonal of its bounds: no size is too large or too small to be multiplied.
 class UnitFrame
 {
 public:
   explicit UnitFrame(const TriangleMeshView& mesh)
     : Mesh(mesh)
   {
-    Box bounds;
-    for (vtkIdType i = 0; i < 3 * mesh.NumberOfTriangles; ++i)
-    {
-      bounds.Add(mesh.Point(mesh.Triangles[i]));
-    }
+    const Box bounds = MeshBounds(mesh);
     if (bounds.Empty())
     {
       return;
     }
-    this->Center = 0.5 * bounds.Min + 0.5 * bounds.Max;
     const Vector3 size = bounds.Size();
     const double diagonal = std::hypot(size.X, size.Y, size.Z);
     if (!std::isfinite(diagonal))
     {
       throw std::runtime_error("The mesh's bounds are too large to be measured.");
     }
-    const double farthest = std::max({ std::abs(bounds.Min.X), std::abs(bounds.Min.Y), std::abs(bounds.Min.Z),
-      std::abs(bounds.Max.X), std::abs(bounds.Max.Y), std::abs(bounds.Max.Z) });
     this->Diagonal = diagonal > 0.0 ? diagonal : 1.0;
-    this->Rounding = 4.0 * Epsilon * std::max(1.0, farthest / this->Diagonal);
   }
-  Vector3 Point(vtkIdType id) const
+  Vector3 Between(vtkIdType from, vtkIdType to) const
   {
-    const Vector3 p = this->Mesh.Point(id) - this->Center;
-    return { p.X / this->Diagonal, p.Y / this->Diagonal, p.Z / this->Diagonal };
+    const Vector3 d = this->Mesh.Point(to) - this->Mesh.Point(from);
+    return { d.X / this->Diagonal, d.Y / this->Diagonal, d.Z / this->Diagonal };
   }
-  /// Lengths that rounding of the coordinates alone can make.
-  double Rounding = 4.0 * Epsilon;
+  /// What rounding of a point's coordinates alone can make.
+  double Rounding(vtkIdType id) const { return RoundingOf(this->Mesh.Point(id)) / this->Diagonal; }
+
+  static double RoundingOf(const Vector3& p)
+  {
+    return 4.0 * Epsilon * std::max({ std::abs(p.X), std::abs(p.Y), std::abs(p.Z) });
+  }
 
 private:
   const TriangleMeshView& Mesh;
-  Vector3 Center;
   double Diagonal = 1.0;
 };
 
@@ -100,17 +97,134 @@ std::uint64_t Bits(double value)
   return bits;
 }
 
-std::uint64_t HashCell(double x, double y, double z, int block)
+/// Side k of triangle t is number 3 t + k; it runs from corner k to the next one.
+vtkIdType NextSide(vtkIdType side)
 {
-  const std::uint64_t xy = Mix64(Mix64(Bits(x)) + Bits(y) * 0x9E3779B97F4A7C15ull);
-  return Mix64(Mix64(xy + Bits(z)) + static_cast<std::uint64_t>(block));
+  return side % 3 == 2 ? side - 2 : side + 1;
+}
+
+/// How far from each point another one is the same; points that no triangle uses get 0.
+std::vector<double> WeldDistances(const TriangleMeshView& mesh, double share)
+{
+  std::vector<double> shortest(static_cast<std::size_t>(mesh.NumberOfPoints), HUGE_VAL);
+  for (vtkIdType side = 0; side < 3 * mesh.NumberOfTriangles; ++side)
+  {
+    const vtkIdType a = mesh.Triangles[side];
+    const vtkIdType b = mesh.Triangles[NextSide(side)];
+    const Vector3 edge = mesh.Point(b) - mesh.Point(a);
+    const double length = std::hypot(edge.X, edge.Y, edge.Z);
+    // Ends that are the same place are no edge.
+    if (length > std::max(UnitFrame::RoundingOf(mesh.Point(a)), UnitFrame::RoundingOf(mesh.Point(b))))
+    {
+      shortest[a] = std::min(shortest[a], length);
+      shortest[b] = std::min(shortest[b], length);
+    }
+  }
+  for (vtkIdType i = 0; i < mesh.NumberOfPoints; ++i)
+  {
+    const double rounding = UnitFrame::RoundingOf(mesh.Point(i));
+    const double edge = std::isfinite(shortest[i]) ? shortest[i] : 0.0;
+    shortest[i] = share > 0.0 ? std::max(share * edge, rounding) : 0.0;
+  }
+  return shortest;
 }
 
 /**
- * For each point the earliest kept point of the same block within the tolerance; points that no triangle uses get -1.
- * Kept points lie in a hashed grid with cells of four tolerances, so that a query looks into 1 to 8 cells.
+ * Points that are kept, in hashed grids: one grid for each power of two that is just above a point's distance, with cells
+ * of four times that, so that a query looks into 1 to 8 cells of each grid. Distance 0: cells are the very coordinates.
  */
-Ids WeldPoints(const TriangleMeshView& mesh, const UnitFrame& frame, const int* blocks, double tolerance)
+class WeldGrids
+{
+public:
+  WeldGrids(const TriangleMeshView& mesh, const std::vector<int>& blocks, const std::vector<double>& distances)
+    : Mesh(mesh)
+    , Blocks(blocks)
+    , Distances(distances)
+    , Next(distances.size(), -1)
+  {
+    std::size_t numberOfBuckets = 16;
+    while (numberOfBuckets < 2 * distances.size())
+    {
+      numberOfBuckets *= 2;
+    }
+    this->Heads.assign(numberOfBuckets, -1);
+  }
+
+  /// The earliest kept point of the same block, no farther than the smaller of both points' distances; else @p id.
+  vtkIdType Find(vtkIdType id) const
+  {
+    vtkIdType found = id;
+    const Vector3 p = this->Mesh.Point(id);
+    for (const double reach : this->Reaches)
+    {
+      const double distance = std::min(reach, this->Distances[id]);
+      double low[3];
+      double high[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = Cell(p[axis] - distance, reach);
+        high[axis] = Cell(p[axis] + distance, reach);
+      }
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const bool x = corner & 1;
+        const bool y = corner & 2;
+        const bool z = corner & 4;
+        if ((x && low[0] == high[0]) || (y && low[1] == high[1]) || (z && low[2] == high[2]))
+        {
+          continue;
+        }
+        const std::size_t bucket =
+          this->Bucket(x ? high[0] : low[0], y ? high[1] : low[1], z ? high[2] : low[2], reach, this->Blocks[id]);
+        for (vtkIdType j = this->Heads[bucket]; j >= 0; j = this->Next[j])
+        {
+          found = j < found && this->AreOne(id, j) ? j : found;
+        }
+      }
+    }
+    return found;
+  }
+
+  void Add(vtkIdType id)
+  {
+    const double reach = Reach(this->Distances[id]);
+    if (std::find(this->Reaches.begin(), this->Reaches.end(), reach) == this->Reaches.end())
+    {
+      this->Reaches.push_back(reach);
+    }
+    const Vector3 p = this->Mesh.Point(id);
+    vtkIdType& head = this->Heads[this->Bucket(
+      Cell(p.X, reach), Cell(p.Y, reach), Cell(p.Z, reach), reach, this->Blocks[id])];
+    this->Next[id] = head;
+    head = id;
+  }
+
+private:
+  static double Reach(double distance) { return distance > 0.0 ? std::ldexp(1.0, std::ilogb(distance) + 1) : 0.0; }
+  static double Cell(double x, double reach) { return reach > 0.0 ? std::floor(x / (4.0 * reach)) : x; }
+  std::size_t Bucket(double x, double y, double z, double reach, int block) const
+  {
+    const std::uint64_t xy = Mix64(Mix64(Bits(x)) + Bits(y) * 0x9E3779B97F4A7C15ull);
+    const std::uint64_t all = Mix64(Mix64(xy + Bits(z)) + Bits(reach));
+    return Mix64(all + static_cast<std::uint64_t>(block)) & (this->Heads.size() - 1);
+  }
+  bool AreOne(vtkIdType i, vtkIdType j) const
+  {
+    const Vector3 d = this->Mesh.Point(i) - this->Mesh.Point(j);
+    return this->Blocks[i] == this->Blocks[j] &&
+      std::hypot(d.X, d.Y, d.Z) <= std::min(this->Distances[i], this->Distances[j]);
+  }
+
+  const TriangleMeshView& Mesh;
+  const std::vector<int>& Blocks;
+  const std::vector<double>& Distances;
+  std::vector<double> Reaches;
+  Ids Heads;
+  Ids Next;
+};
+
+/// For each point the earliest kept point that is one with it; points that no triangle uses get -1.
+Ids WeldPoints(const TriangleMeshView& mesh, const int* blocks, double share)
 {
   Ids kept(static_cast<std::size_t>(mesh.NumberOfPoints), -1);
   std::vector<int> blockOf(kept.size(), 0);
@@ -119,58 +233,18 @@ Ids WeldPoints(const TriangleMeshView& mesh, const UnitFrame& frame, const int* 
     kept[mesh.Triangles[i]] = mesh.Triangles[i];
     blockOf[mesh.Triangles[i]] = blocks ? blocks[i / 3] : 0;
   }
-  std::size_t numberOfBuckets = 16;
-  while (numberOfBuckets < 2 * kept.size())
-  {
-    numberOfBuckets *= 2;
-  }
-  Ids heads(numberOfBuckets, -1);
-  Ids next(kept.size(), -1);
-  const double cell = 4.0 * tolerance;
-  const bool exact = !(tolerance > 0.0);
-
+  const std::vector<double> distances = WeldDistances(mesh, share);
+  WeldGrids grids(mesh, blockOf, distances);
   for (vtkIdType i = 0; i < mesh.NumberOfPoints; ++i)
   {
     if (kept[i] < 0)
     {
       continue;
     }
-    const Vector3 p = exact ? mesh.Point(i) : frame.Point(i);
-    const auto cellOf = [cell, exact](double x) { return exact ? x : std::floor(x / cell); };
-    double low[3];
-    double high[3];
-    for (int c = 0; c < 3; ++c)
+    kept[i] = grids.Find(i);
+    if (kept[i] == i)
     {
-      low[c] = cellOf(p[c] - tolerance);
-      high[c] = cellOf(p[c] + tolerance);
-    }
-    vtkIdType found = i;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const bool x = corner & 1;
-      const bool y = corner & 2;
-      const bool z = corner & 4;
-      if ((x && low[0] == high[0]) || (y && low[1] == high[1]) || (z && low[2] == high[2]))
-      {
-        continue;
-      }
-      const std::uint64_t hash = HashCell(x ? high[0] : low[0], y ? high[1] : low[1], z ? high[2] : low[2], blockOf[i]);
-      for (vtkIdType j = heads[hash & (numberOfBuckets - 1)]; j >= 0; j = next[j])
-      {
-        const Vector3 d = p - (exact ? mesh.Point(j) : frame.Point(j));
-        if (j < found && blockOf[j] == blockOf[i] && Dot(d, d) <= tolerance * tolerance &&
-          (!exact || (d.X == 0.0 && d.Y == 0.0 && d.Z == 0.0)))
-        {
-          found = j;
-        }
-      }
-    }
-    kept[i] = found;
-    if (found == i)
-    {
-      vtkIdType& head = heads[HashCell(cellOf(p.X), cellOf(p.Y), cellOf(p.Z), blockOf[i]) & (numberOfBuckets - 1)];
-      next[i] = head;
-      head = i;
+      grids.Add(i);
     }
   }
   return kept;
@@ -183,11 +257,11 @@ bool IsDegenerate(const UnitFrame& frame, vtkIdType a, vtkIdType b, vtkIdType c)
   {
     return true;
   }
-  const Vector3 p = frame.Point(a);
-  const Vector3 u = frame.Point(b) - p;
-  const Vector3 v = frame.Point(c) - p;
+  const Vector3 u = frame.Between(a, b);
+  const Vector3 v = frame.Between(a, c);
   const double longest = std::max({ Length(u), Length(v), Length(u - v) });
-  return !(Length(Cross(u, v)) > frame.Rounding * longest);
+  const double rounding = std::max({ frame.Rounding(a), frame.Rounding(b), frame.Rounding(c) });
+  return !(Length(Cross(u, v)) > rounding * longest);
 }
 
 /// Fill Triangles (of input point ids) and SourceTriangles with what is neither degenerate nor there twice.
@@ -262,12 +336,6 @@ void CompactPoints(vtkIdType numberOfPoints, OccluderTopology& result)
   {
     id = numbers[id];
   }
-}
-
-/// Side k of triangle t is number 3 t + k; it runs from corner k to the next one.
-vtkIdType NextSide(vtkIdType side)
-{
-  return side % 3 == 2 ? side - 2 : side + 1;
 }
 
 /// For each side the one other side on the same edge, or -1 where there is none or more than one. Counts the edges.
@@ -405,46 +473,96 @@ public:
     const std::size_t numberOfTriangles = topology.SourceTriangles.size();
     this->Mesh.reserve(numberOfTriangles / 2, 3 * numberOfTriangles / 2, numberOfTriangles);
     std::vector<OpenMesh::VertexHandle> vertices(topology.Triangles.size());
+    std::vector<OpenMesh::HalfedgeHandle> sides(topology.Triangles.size());
+    const Ids partners = PartnersOf(topology, opposite, patches, fans);
     this->Faces.resize(numberOfTriangles);
     for (const vtkIdType triangle : patches.Order)
     {
-      std::array<OpenMesh::VertexHandle, 3> corners;
+      // Linked by hand: OpenMesh would look for each side all around its corners.
+      OpenMesh::HalfedgeHandle around[3];
       for (int k = 0; k < 3; ++k)
       {
-        OpenMesh::VertexHandle& vertex = vertices[fans.Root(3 * triangle + k)];
-        vertex = vertex.is_valid() ? vertex : OpenMesh::VertexHandle(this->Mesh.add_vertex());
-        corners[k] = vertex;
+        const vtkIdType side = 3 * triangle + k;
+        OpenMesh::VertexHandle ends[2] = { this->Vertex(vertices, fans.Root(side)),
+          this->Vertex(vertices, fans.Root(NextSide(side))) };
+        if (patches.Flip[triangle])
+        {
+          std::swap(ends[0], ends[1]);
+        }
+        const vtkIdType other = partners[side];
+        const bool known = other >= 0 && sides[other].is_valid();
+        sides[side] = known ? this->Mesh.opposite_halfedge_handle(sides[other]) : this->Mesh.new_edge(ends[0], ends[1]);
+        around[patches.Flip[triangle] ? 2 - k : k] = sides[side];
       }
-      if (patches.Flip[triangle])
+      const OpenMesh::FaceHandle face = this->Mesh.new_face();
+      this->Mesh.set_halfedge_handle(face, around[0]);
+      for (int k = 0; k < 3; ++k)
       {
-        std::swap(corners[1], corners[2]);
+        this->Mesh.set_face_handle(around[k], face);
+        this->Mesh.set_next_halfedge_handle(around[k], around[(k + 1) % 3]);
       }
-      this->Faces[triangle] = this->Add(corners);
+      this->Faces[triangle] = face;
     }
   }
 
   bool HasBorder(vtkIdType triangle) const { return this->Mesh.is_boundary(this->Faces[triangle]); }
 
 private:
-  OpenMesh::FaceHandle Add(std::array<OpenMesh::VertexHandle, 3> corners)
+  /**
+   * The side across each side's edge. Where more than two triangles meet the surfaces have been taken apart: sides that run
+   * between the same two vertices, one each way, belong together.
+   */
+  static Ids PartnersOf(
+    const OccluderTopology& topology, const Ids& opposite, const Patches& patches, DisjointSets& fans)
   {
-    // What OpenMesh would refuse stands alone: a vertex that is already surrounded, a side that already has a triangle.
-    bool fits = true;
-    for (int k = 0; k < 3; ++k)
+    struct LooseSide
     {
-      const OpenMesh::HalfedgeHandle side = this->Mesh.find_halfedge(corners[k], corners[(k + 1) % 3]);
-      fits = fits && this->Mesh.is_boundary(corners[k]) && (!side.is_valid() || this->Mesh.is_boundary(side));
-    }
-    OpenMesh::FaceHandle face;
-    if (fits)
+      vtkIdType Low;
+      vtkIdType High;
+      bool Forward;
+      vtkIdType Side;
+    };
+    std::vector<LooseSide> loose;
+    for (const vtkIdType triangle : patches.Order)
     {
-      face = this->Mesh.add_face(corners[0], corners[1], corners[2]);
+      for (vtkIdType side = 3 * triangle; side < 3 * triangle + 3; ++side)
+      {
+        if (opposite[side] < 0)
+        {
+          const vtkIdType a = fans.Root(side);
+          const vtkIdType b = fans.Root(NextSide(side));
+          loose.push_back({ std::min(a, b), std::max(a, b), (a < b) != (patches.Flip[triangle] != 0), side });
+        }
+      }
     }
-    if (!face.is_valid())
+    std::sort(loose.begin(), loose.end(),
+      [](const LooseSide& a, const LooseSide& b)
+      { return std::tie(a.Low, a.High, a.Side) < std::tie(b.Low, b.High, b.Side); });
+    Ids partners = opposite;
+    for (std::size_t first = 0; first < loose.size();)
     {
-      face = this->Mesh.add_face(this->Mesh.add_vertex(), this->Mesh.add_vertex(), this->Mesh.add_vertex());
+      std::size_t end = first;
+      const LooseSide* ways[2] = { nullptr, nullptr };
+      for (; end < loose.size() && loose[end].Low == loose[first].Low && loose[end].High == loose[first].High; ++end)
+      {
+        const LooseSide*& way = ways[loose[end].Forward ? 1 : 0];
+        way = way ? way : &loose[end];
+      }
+      if (ways[0] && ways[1])
+      {
+        partners[ways[0]->Side] = ways[1]->Side;
+        partners[ways[1]->Side] = ways[0]->Side;
+      }
+      first = end;
     }
-    return face;
+    return partners;
+  }
+
+  OpenMesh::VertexHandle Vertex(std::vector<OpenMesh::VertexHandle>& vertices, vtkIdType fan)
+  {
+    OpenMesh::VertexHandle& vertex = vertices[fan];
+    vertex = vertex.is_valid() ? vertex : OpenMesh::VertexHandle(this->Mesh.add_vertex());
+    return vertex;
   }
 
   OpenMesh::TriConnectivity Mesh;
@@ -460,7 +578,7 @@ bool FlipsFirst(const TriangleMeshView& mesh, const UnitFrame& frame, const Occl
   const vtkIdType* end = patches.Order.data() + patches.Begin[patch + 1];
   if (closed)
   {
-    const Vector3 origin = frame.Point(mesh.Triangles[3 * topology.SourceTriangles[*begin]]);
+    const vtkIdType origin = mesh.Triangles[3 * topology.SourceTriangles[*begin]];
     double volume = 0.0;
     double magnitude = 0.0;
     for (const vtkIdType* triangle = begin; triangle != end; ++triangle)
@@ -468,7 +586,7 @@ bool FlipsFirst(const TriangleMeshView& mesh, const UnitFrame& frame, const Occl
       Vector3 corner[3];
       for (int k = 0; k < 3; ++k)
       {
-        corner[k] = frame.Point(topology.Points[topology.Triangles[3 * *triangle + k]]) - origin;
+        corner[k] = frame.Between(origin, topology.Points[topology.Triangles[3 * *triangle + k]]);
       }
       const double term = Dot(corner[0], Cross(corner[1], corner[2]));
       volume += patches.Flip[*triangle] ? -term : term;
@@ -546,7 +664,7 @@ bool BuildOccluderTopology(const TriangleMeshView& mesh, const int* blocks, cons
   }
   const int* weldBlocks = options.LabelBy == OccluderLabel::Block ? blocks : nullptr;
   const UnitFrame frame(mesh);
-  const Ids weld = WeldPoints(mesh, frame, weldBlocks, options.WeldTolerance);
+  const Ids weld = WeldPoints(mesh, weldBlocks, options.WeldTolerance);
   for (vtkIdType i = 0; i < mesh.NumberOfPoints; ++i)
   {
     result.WeldedPoints += weld[i] >= 0 && weld[i] != i;

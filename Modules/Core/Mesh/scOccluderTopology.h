@@ -24,7 +24,9 @@ enum class OccluderLabel : int
 
 struct OccluderTopologyOptions
 {
-  double WeldTolerance = 1e-9; ///< fraction of the bounds' diagonal, at least 0; 0: exact duplicates only
+  /// Distance within which points are one, as a share of the shortest edge at each of them (and no less than rounding of
+  /// their coordinates); at least 0; 0: exact duplicates only.
+  double WeldTolerance = 1e-9;
   OccluderLabel LabelBy = OccluderLabel::Component;
   bool Orient = true; ///< off: every triangle keeps its winding
 };

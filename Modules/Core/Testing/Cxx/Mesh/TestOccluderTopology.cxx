@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <stdexcept>
 #include <vector>
 
@@ -204,35 +205,94 @@ TEST(OccluderTopology, WeldsASoupOfTriangles)
   }
 }
 
-TEST(OccluderTopology, WeldToleranceIsADistanceAnywhere)
+TEST(OccluderTopology, WeldToleranceIsAShareOfTheShortestEdgeAnywhere)
 {
-  // Pairs of points at 0.9 and 1.1 tolerances: welded or not, wherever the grid's cells lie and far from the origin.
+  // Pairs of corners at 0.9 and 1.1 tolerances: welded or not, wherever the grid's cells lie, of all sizes side by side.
   for (const double far : { 0.0, 1e6 })
   {
     const double tolerance = 1e-4;
-    const double diagonal = std::sqrt(2.0) * 10.0;
     Mesh mesh;
-    const vtkIdType a = mesh.Add(far, far, far);
-    mesh.Add(far + 10.0, far, far);
-    mesh.Add(far, far + 10.0, far);
-    mesh.Face(a, a + 1, a + 2);
     for (std::uint64_t i = 0; i < 500; ++i)
     {
       RandomStream random(7, i);
-      const double x = far + 1.0 + 3.0 * random.Next();
-      const double y = far + 1.0 + 3.0 * random.Next();
+      const double edge = std::pow(10.0, 2.0 * random.Next());
+      const double x = far + 1000.0 * random.Next();
+      const double y = far + 1000.0 * random.Next();
       const double angle = 6.28 * random.Next();
-      const double distance = (i % 2 ? 1.1 : 0.9) * tolerance * diagonal;
+      const double distance = (i % 2 ? 1.1 : 0.9) * tolerance * edge;
       const vtkIdType first = mesh.Add(x, y, far);
+      mesh.Add(x + edge, y, far);
+      mesh.Add(x, y + 2.0 * edge, far);
+      // The other triangle is larger: the smaller edge of the two counts.
       const vtkIdType second = mesh.Add(x + distance * std::cos(angle), y + distance * std::sin(angle), far);
-      mesh.Face(a, first, second);
+      mesh.Add(x - 30.0 * edge, y, far);
+      mesh.Add(x, y - 40.0 * edge, far);
+      mesh.Face(first, first + 1, first + 2);
+      mesh.Face(second, second + 1, second + 2);
     }
     OccluderTopologyOptions options;
     options.WeldTolerance = tolerance;
     const OccluderTopology topology = Build(mesh, options);
-    EXPECT_EQ(topology.DegenerateTriangles, 250) << far;
+    EXPECT_EQ(topology.DegenerateTriangles, 0) << far;
     EXPECT_EQ(topology.WeldedPoints, 250) << far;
   }
+}
+
+TEST(OccluderTopology, NothingSmallIsLostNextToSomethingLarge)
+{
+  // A unit cube, a plate of 2 mm and 2 um beside a ground of 1e7: 12 triangles each, and 2.
+  for (const double ground : { 1e4, 1e6, 1e7 })
+  {
+    Mesh mesh;
+    AddCube(mesh, 0, 0, 0.5);
+    for (const double thickness : { 2e-3, 2e-6 })
+    {
+      Mesh plate;
+      AddCube(plate, 0, 0, 0);
+      const auto first = static_cast<vtkIdType>(mesh.Points.size() / 3);
+      for (std::size_t i = 0; i < plate.Points.size(); i += 3)
+      {
+        mesh.Add(3.0 + plate.Points[i], plate.Points[i + 1] + (thickness < 1e-3 ? 3.0 : 0.0), 0.5 + thickness * plate.Points[i + 2]);
+      }
+      for (std::size_t i = 0; i < plate.Triangles.size(); i += 3)
+      {
+        mesh.Face(first + plate.Triangles[i], first + plate.Triangles[i + 1], first + plate.Triangles[i + 2]);
+      }
+    }
+    const vtkIdType corner = mesh.Add(-ground, -ground, 0.0);
+    mesh.Add(ground, -ground, 0.0);
+    mesh.Add(ground, ground, 0.0);
+    mesh.Add(-ground, ground, 0.0);
+    mesh.Face(corner, corner + 1, corner + 2);
+    mesh.Face(corner, corner + 2, corner + 3);
+    const OccluderTopology topology = Build(mesh);
+    EXPECT_EQ(topology.SourceTriangles.size(), 38u) << ground;
+    EXPECT_EQ(topology.WeldedPoints, 0) << ground;
+    EXPECT_EQ(topology.Closed, (std::vector<unsigned char>{ 1, 1, 1, 0 })) << ground;
+  }
+}
+
+TEST(OccluderTopology, FansTakeLinearTime)
+{
+  // Looking around the hub for every triangle would take 150,000^2 steps, minutes.
+  constexpr vtkIdType count = 150000;
+  Mesh mesh;
+  mesh.Add(0.0, 0.0, 0.0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * 3.14159265358979323846 * static_cast<double>(i) / count;
+    mesh.Add(std::cos(angle), std::sin(angle), 0.0);
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    mesh.Face(0, 1 + i, 1 + (i + 1) % count);
+  }
+  const std::clock_t start = std::clock();
+  const OccluderTopology topology = Build(mesh);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10.0);
+  EXPECT_EQ(topology.SourceTriangles.size(), static_cast<std::size_t>(count));
+  EXPECT_EQ(topology.BoundaryEdges, count);
+  EXPECT_EQ(topology.Closed, std::vector<unsigned char>{ 0 });
 }
 
 TEST(OccluderTopology, DropsDegenerateAndDuplicateTriangles)
