@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scLight.h"
 
+#include "scFingerprint.h"
 #include "scSphericalEllipse.h"
 #include "scSphericalRectangle.h"
 
@@ -415,6 +416,46 @@ const char* PrepareLight(Light& light)
   }
   light.Normal = (1.0 / length) * light.Normal;
   return light.Shape == LightShape::Rectangle ? CheckRectangle(light) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t FingerprintOf(const Light& light)
+{
+  Fingerprint fingerprint;
+  fingerprint.AddWord(static_cast<std::uint64_t>(light.Shape));
+  const auto add = [&fingerprint](const Vector3& v)
+  {
+    fingerprint.AddNumber(v.X);
+    fingerprint.AddNumber(v.Y);
+    fingerprint.AddNumber(v.Z);
+  };
+  if (light.Shape == LightShape::Mesh)
+  {
+    for (const std::array<Vector3, 3>& triangle : light.Triangles)
+    {
+      std::for_each(triangle.begin(), triangle.end(), add);
+    }
+    std::for_each(light.Vertices.begin(), light.Vertices.end(), add);
+    return fingerprint.Value();
+  }
+  if (light.Shape != LightShape::Sun)
+  {
+    add(light.Center);
+  }
+  if (light.Shape != LightShape::Sphere && light.Shape != LightShape::Point)
+  {
+    add(light.Normal);
+  }
+  if (light.Shape == LightShape::Rectangle)
+  {
+    add(light.AxisU);
+    add(light.AxisV);
+  }
+  else if (light.Shape != LightShape::Point)
+  {
+    fingerprint.AddNumber(light.Radius);
+  }
+  return fingerprint.Value();
 }
 
 //------------------------------------------------------------------------------

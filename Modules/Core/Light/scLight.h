@@ -12,6 +12,7 @@
 #include "scVector3.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace shadowcones
@@ -58,6 +59,12 @@ inline bool IsAtInfinity(const Light& light)
 }
 /// Centre and radius of a sphere that holds the light (Sun: radius 0 at the origin).
 SHADOWCONESCORE_EXPORT void LightBoundingSphere(const Light& light, Vector3& center, double& radius);
+
+/**
+ * A number that tells lights apart: a hash of what their shape uses of place, direction and size, not of their
+ * spectrum. The same for -0 and 0.
+ */
+SHADOWCONESCORE_EXPORT std::uint64_t FingerprintOf(const Light& light);
 
 /// A point on the light. Sun: Position is the unit vector towards the sampled point of its face.
 struct LightSurfaceSample

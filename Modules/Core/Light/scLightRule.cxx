@@ -45,57 +45,16 @@ LightRule::LightRule(const Light& light, int level)
       this->AddVertices(1, level);
       break;
     case LightShape::Mesh:
-      this->AddMesh(level);
+      if (light.Triangles.empty())
+      {
+        this->AddVertices(light.Vertices.size(), level);
+        break;
+      }
+      this->Mesh.emplace(light, level);
+      this->Places = this->Mesh->Places();
       break;
   }
   this->AddOffsets();
-}
-
-void LightRule::AddMesh(int level)
-{
-  const Light& light = this->Source;
-  if (light.Triangles.empty())
-  {
-    this->AddVertices(light.Vertices.size(), level);
-    return;
-  }
-  // As many points a triangle as make some 64 in all, and twice as many at every level.
-  const int side =
-    static_cast<int>(std::sqrt((64 << level) / static_cast<double>(light.Triangles.size())) + 0.5);
-  if (side > 0)
-  {
-    this->AddTriangles(side);
-    return;
-  }
-  // A lattice by the golden ratio covers any list of triangles evenly.
-  const int count = 256 << level;
-  for (int k = 0; k < count; ++k)
-  {
-    const double turns = 0.61803398874989485 * k;
-    const LightSurfaceSample sample = SampleLightArea(light, (k + 0.5) / count, turns - std::floor(turns));
-    this->Places.push_back({ sample.Position, sample.Normal, LightArea(light) / count });
-  }
-}
-
-void LightRule::AddTriangles(int side)
-{
-  // A product of two Gauss rules on the square, one side of which is drawn together to a corner (Duffy 1982).
-  const GaussLegendre rule(side);
-  for (const auto& triangle : this->Source.Triangles)
-  {
-    const Vector3 u = triangle[1] - triangle[0];
-    const Vector3 v = triangle[2] - triangle[1];
-    const Vector3 normal = Cross(u, v);
-    for (int i = 0; i < side; ++i)
-    {
-      for (int j = 0; j < side; ++j)
-      {
-        const double x = rule.Nodes[i];
-        this->Places.push_back({ triangle[0] + x * u + x * rule.Nodes[j] * v, Normalized(normal),
-          Length(normal) * x * rule.Weights[i] * rule.Weights[j] });
-      }
-    }
-  }
 }
 
 void LightRule::SetNear(double radius)
@@ -111,7 +70,7 @@ void LightRule::AddOffsets()
   LightBoundingSphere(this->Source, this->Middle, radius);
   for (int component = 0; component < 7; ++component)
   {
-    for (const Place& place : this->Places)
+    for (const LightPlace& place : this->Places)
     {
       const Vector3 offset = place.Position - this->Middle;
       this->Offsets.push_back(static_cast<float>(

@@ -9,9 +9,11 @@
 #include "scLight.h"
 #include "scLightSampler.h"
 #include "scLitKernel.h"
+#include "scMeshLightRule.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace shadowcones
@@ -19,17 +21,16 @@ namespace shadowcones
 
 /**
  * Discs: Gauss rings in r^2 by even spokes; rectangles: products of Gauss rules; both over their area, and over their
- * solid angle where the point is near. Spheres and Suns: rings of their cone. Meshes: Gauss rules over each triangle, or
- * a lattice over the area of many; their vertices one by one. Built once, used from any number of threads; the
- * light must outlive it.
+ * solid angle where the point is near. Spheres and Suns: rings of their cone. Meshes: see scMeshLightRule.h; their
+ * vertices one by one. Built once, used from any number of threads; the light must outlive it.
  */
 class LightRule
 {
 public:
   static constexpr int NumberOfLevels = 5;
-  /// @param level 0..4: 16 points of a disc or rectangle, then 36, 100, 256 and 1,024; 256 to 4,096 of a mesh of many
-  /// triangles.
+  /// @param level 0..4: 16 points of a disc or rectangle, then 36, 100, 256 and 1,024. No two are the same rule.
   LightRule(const Light& light, int level);
+  LightRule(Light&& light, int level) = delete; // the light has to outlive its rule
 
   int Count() const { return static_cast<int>(std::max(this->Shares.size(), this->Places.size())); }
 
@@ -65,6 +66,27 @@ public:
     return { x, x + count, x + 2 * count, x + 3 * count, x + 4 * count, x + 5 * count, x + 6 * count,
       static_cast<int>(count) };
   }
+  /**
+   * Add the parts of a mesh that are too near for its points by area, and list which points they stand for, as pairs of
+   * the first one and the one behind the last; none for other lights. Both lists are overwritten.
+   */
+  void FindNear(const Vector3& from, std::vector<IncidentSample>& samples, std::vector<std::size_t>& replaced) const
+  {
+    samples.clear();
+    replaced.clear();
+    if (!this->Mesh || !this->Mesh->MayBeNear(from))
+    {
+      return;
+    }
+    for (const MeshLightRule::Patch& patch : this->Mesh->Patches())
+    {
+      if (this->Mesh->IsNear(patch, from))
+      {
+        this->Mesh->LookAt(patch, from, samples);
+        replaced.insert(replaced.end(), { patch.FirstPlace, patch.EndOfPlaces });
+      }
+    }
+  }
   /// The rule by area as seen from a point in a box; @p direction of a ray through it, or a surface's normal.
   LightPointsView ViewFrom(const Vector3& point, const Vector3& direction, const Box& bounds) const
   {
@@ -85,8 +107,23 @@ public:
   {
     if (this->IsByArea(from))
     {
-      for (const Place& place : this->Places)
+      thread_local std::vector<IncidentSample> near;
+      thread_local std::vector<std::size_t> replaced;
+      this->FindNear(from, near, replaced);
+      for (const IncidentSample& sample : near)
       {
+        visit(sample);
+      }
+      auto skipped = replaced.begin();
+      for (std::size_t k = 0; k < this->Places.size(); ++k)
+      {
+        if (skipped != replaced.end() && k == *skipped)
+        {
+          k = *(skipped + 1) - 1;
+          skipped += 2;
+          continue;
+        }
+        const LightPlace& place = this->Places[k];
         const Vector3 to = place.Position - from;
         const double squared = Dot(to, to);
         const double inverse = 1.0 / std::sqrt(squared);
@@ -112,12 +149,6 @@ public:
   }
 
 private:
-  struct Place
-  {
-    Vector3 Position;
-    Vector3 Normal;
-    double Area;
-  };
   struct Share
   {
     double U;
@@ -127,14 +158,13 @@ private:
   void AddDisc(int rings);
   void AddRectangle(int side);
   void AddCone(int rings);
-  void AddMesh(int level);
-  void AddTriangles(int side);
   void AddVertices(std::size_t vertices, int level);
   void AddOffsets();
   void SetNear(double radius);
 
   const Light& Source;
-  std::vector<Place> Places;  ///< Disc, Rectangle and Mesh, by area
+  std::vector<LightPlace> Places; ///< Disc, Rectangle and Mesh, by area
+  std::optional<MeshLightRule> Mesh;
   std::vector<float> Offsets; ///< of Places from the centre, their normals and areas, component by component
   std::vector<Share> Shares;  ///< the others, and where Places are near
   Vector3 Middle;             ///< of Places

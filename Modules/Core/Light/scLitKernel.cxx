@@ -28,12 +28,12 @@ inline float ExponentialOfMinus(float x)
   return power * scale;
 }
 
-/// Share of the way to the light after which a ray leaves the box along one axis.
+/// Share of the way to the light after which a ray leaves the box along one axis; never, where it runs along the faces.
 inline float ShareInside(float d, float low, float high)
 {
   const float plane = d > 0.0f ? high : low;
-  const float slope = d == 0.0f ? 1e-30f : d;
-  return plane / slope;
+  const float slope = d == 0.0f ? 1.0f : d;
+  return d == 0.0f ? 1.0f : plane / slope;
 }
 } // anonymous namespace
 
@@ -48,7 +48,8 @@ SHADOWCONES_WIDE void LookAtLight(
     const float z = v.Center[2] + points.Z[k];
     const float squared = x * x + y * y + z * z;
     const float distance = std::sqrt(squared);
-    const float inverse = 1.0f / distance;
+    // A light point that is the very point has no direction: it sends nothing.
+    const float inverse = squared > 0.0f ? 1.0f / distance : 0.0f;
     const float emission = -(x * points.NormalX[k] + y * points.NormalY[k] + z * points.NormalZ[k]) * inverse;
     cosine[k] = (x * v.Direction[0] + y * v.Direction[1] + z * v.Direction[2]) * inverse;
     weight[k] = emission > 0.0f ? points.Area[k] * emission * inverse * inverse : 0.0f;

@@ -33,7 +33,8 @@ struct LightPointsView
   float High[3];
 };
 
-/// For every light point: its solid angle as seen from the point, the cosine of scattering, the length in the box.
+/// For every light point: its solid angle as seen from the point, the cosine of scattering, the length in the box. The
+/// point lies in the box; a light point at the very same place counts for nothing.
 void LookAtLight(
   const LightPoints& points, const LightPointsView& view, float* weight, float* cosine, float* leg);
 

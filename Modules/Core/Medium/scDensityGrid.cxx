@@ -2,6 +2,7 @@
 #include "scDensityGrid.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 
 namespace shadowcones
@@ -141,7 +142,7 @@ double DensityGrid::Integrate(const Vector3& origin, const Vector3& direction, d
     static_cast<std::size_t>(y.Cell) * this->Strides[1] + static_cast<std::size_t>(z.Cell) * this->Strides[2];
   double sum = 0.0;
   double t = tBegin;
-  for (int cells = 1 + x.FacesLeft + y.FacesLeft + z.FacesLeft; cells > 0; --cells)
+  for (auto cells = std::int64_t(1) + x.FacesLeft + y.FacesLeft + z.FacesLeft; cells > 0; --cells)
   {
     const double next = std::min(std::min(x.Next, y.Next), std::min(z.Next, tEnd));
     const Vector3 middle = from + 0.5 * (t + next) * along;

@@ -17,7 +17,9 @@ void MediumDepth::Tabulate(const Vector3& origin, const Vector3& direction, doub
     return;
   }
   // Half a cell: between two entries the density is all but linear. A whole number of cells takes no step more.
-  const int steps = std::max(1, static_cast<int>(std::ceil(2.0 * Length(along) * (tEnd - tBegin) - 1e-4)));
+  constexpr double mostSteps = 1 << 24; // a limit of memory: no grid is that fine
+  const int steps =
+    static_cast<int>(std::clamp(std::ceil(2.0 * Length(along) * (tEnd - tBegin) - 1e-4), 1.0, mostSteps));
   const double step = (tEnd - tBegin) / steps;
   this->TableBegin = tBegin;
   this->StepsPerLength = 1.0 / step;

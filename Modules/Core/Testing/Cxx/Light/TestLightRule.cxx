@@ -60,7 +60,8 @@ TEST(LightRule, WeightsSumToTheSolidAngle)
 
 TEST(LightRule, PointsAreOneByOne)
 {
-  const LightRule point(smallmeshes::PointLight({ 0.0, 2.0, 0.0 }), 0);
+  const Light bulb = smallmeshes::PointLight({ 0.0, 2.0, 0.0 });
+  const LightRule point(bulb, 0);
   EXPECT_NEAR(SumOfWeights(point, {}), 0.25, 1e-12);
 
   Light vertices;
@@ -109,7 +110,8 @@ TEST(LightRule, ADiscHasItsRulesByAreaAndNear)
     EXPECT_TRUE(rule.IsByArea({ 1.0, 1.0, 3.0 }));
     EXPECT_FALSE(rule.IsByArea({ 1.1, 1.99, 3.0 }));
   }
-  EXPECT_FALSE(LightRule(smallmeshes::SphereLight({}, 0.4), 0).IsByArea({ 9.0, 9.0, 9.0 }));
+  const Light sphere = smallmeshes::SphereLight({}, 0.4);
+  EXPECT_FALSE(LightRule(sphere, 0).IsByArea({ 9.0, 9.0, 9.0 }));
 }
 
 TEST(LightRule, AMeshIsCoveredByArea)
@@ -122,4 +124,106 @@ TEST(LightRule, AMeshIsCoveredByArea)
   const Light prepared = smallmeshes::Prepared(mesh);
   EXPECT_NEAR(SumOfWeights(LightRule(prepared, 0), {}) / LightSolidAngle(prepared, {}), 1.0, 0.005);
   EXPECT_NEAR(SumOfWeights(LightRule(prepared, 4), {}) / LightSolidAngle(prepared, {}), 1.0, 5e-4);
+}
+
+namespace
+{
+/// A square of side 2 in the plane y = 0 that faces down, cut into columns^2 squares of two triangles each.
+Light Panel(int columns)
+{
+  Light mesh;
+  mesh.Shape = LightShape::Mesh;
+  const auto corner = [columns](int i, int j)
+  { return Vector3{ 2.0 * i / columns - 1.0, 0.0, 2.0 * j / columns - 1.0 }; };
+  for (int j = 0; j < columns; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      mesh.Triangles.push_back({ corner(i, j), corner(i + 1, j), corner(i + 1, j + 1) });
+      mesh.Triangles.push_back({ corner(i + 1, j + 1), corner(i, j + 1), corner(i, j) });
+    }
+  }
+  return smallmeshes::Prepared(mesh);
+}
+
+/// Solid angle of the panel: four rectangles with a corner above the point, each by its closed form.
+double PanelSolidAngle(const Vector3& from)
+{
+  const double h = -from.Y;
+  const auto quarter = [h](double a, double b) { return std::atan(a * b / (h * std::sqrt(a * a + b * b + h * h))); };
+  return quarter(1.0 - from.X, 1.0 - from.Z) + quarter(1.0 + from.X, 1.0 - from.Z) +
+    quarter(1.0 - from.X, 1.0 + from.Z) + quarter(1.0 + from.X, 1.0 + from.Z);
+}
+
+/// Its irradiance at a point with a normal that points up, over the radiance: the sum of a vector around its edges
+/// (Lambert's formula).
+double PanelIrradiance(const Vector3& from)
+{
+  const Vector3 corners[4] = { { -1.0, 0.0, -1.0 }, { 1.0, 0.0, -1.0 }, { 1.0, 0.0, 1.0 }, { -1.0, 0.0, 1.0 } };
+  double sum = 0.0;
+  for (int k = 0; k < 4; ++k)
+  {
+    const Vector3 a = Normalized(corners[k] - from);
+    const Vector3 b = Normalized(corners[(k + 1) % 4] - from);
+    sum += std::acos(Dot(a, b)) * Normalized(Cross(a, b)).Y;
+  }
+  return 0.5 * std::fabs(sum);
+}
+} // namespace
+
+TEST(LightRule, AMeshOfAnyNumberOfTrianglesIsRightAtAnyDistance)
+{
+  // 2 triangles to 5,000: products of Gauss rules, single points, groups of triangles.
+  for (const int columns : { 1, 4, 6, 10, 13, 50 })
+  {
+    const Light panel = Panel(columns);
+    double error[LightRule::NumberOfLevels] = {};
+    for (int level = 0; level < LightRule::NumberOfLevels; ++level)
+    {
+      const LightRule rule(panel, level);
+      for (const double height : { 1e-6, 1e-3, 0.02, 0.1, 0.3, 1.0, 4.0 })
+      {
+        for (const Vector3& foot : { Vector3{ 0.03, 0.0, -0.21 }, Vector3{ 0.999, 0.0, 0.2 }, Vector3{ 0.5, 0.0, 0.5 } })
+        {
+          const Vector3 from = foot - Vector3{ 0.0, height, 0.0 };
+          double solidAngle = 0.0;
+          double irradiance = 0.0;
+          rule.ForEach(from,
+            [&](const IncidentSample& sample)
+            {
+              solidAngle += sample.Weight;
+              irradiance += sample.Weight * sample.Direction.Y;
+              // All of the light lies in the plane y = 0.
+              EXPECT_NEAR(from.Y + sample.Distance * sample.Direction.Y, 0.0, 1e-9);
+            });
+          error[level] = std::max({ error[level], std::fabs(solidAngle / PanelSolidAngle(from) - 1.0),
+            std::fabs(irradiance / PanelIrradiance(from) - 1.0) });
+        }
+      }
+    }
+    EXPECT_LT(error[0], 0.01) << columns;
+    EXPECT_LT(error[4], 1e-3) << columns;
+  }
+}
+
+TEST(LightRule, NoTwoLevelsOfAMeshAreTheSame)
+{
+  for (const int columns : { 1, 2, 4, 5, 6, 8, 10, 11, 12, 16, 20, 25, 40 })
+  {
+    const Light panel = Panel(columns);
+    int before = 0;
+    for (int level = 0; level < LightRule::NumberOfLevels; ++level)
+    {
+      const LightRule rule(panel, level);
+      EXPECT_GT(rule.Count(), before) << 2 * columns * columns << " triangles, level " << level;
+      before = rule.Count();
+      double area = 0.0;
+      const LightPoints points = rule.AreaPoints();
+      for (int k = 0; k < points.Count; ++k)
+      {
+        area += static_cast<double>(points.Area[k]);
+      }
+      EXPECT_NEAR(area, 4.0, 1e-4);
+    }
+  }
 }
