@@ -3,6 +3,7 @@
 
 #include "scConeIntervals.h"
 #include "scConeTree.h"
+#include "scLampPlane.h"
 #include "scRandom.h"
 
 #include <algorithm>
@@ -120,6 +121,7 @@ bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene
   }
   const auto wrap = [](double x) { return x < 1.0 ? x : x - 1.0; };
   truth.assign(points.size(), {});
+  const RayRules rules = scene.RulesFor(FlatFaceOf(light));
   return ParallelFor(static_cast<vtkIdType>(points.size()), monitor,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -139,7 +141,7 @@ bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene
             continue;
           }
           ++truth[k].Emitting;
-          if (scene.Intersect(points[k], sample.Direction, scene.Epsilon(), sample.Distance, hit))
+          if (scene.Intersect(points[k], sample.Direction, 0.0, sample.Distance, hit, rules))
           {
             ++truth[k].Blocked;
             blockers.Add(scene.Mesh().OccluderId(hit.Triangle), hit.T);
@@ -148,6 +150,25 @@ bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene
         blockers.Write(truth[k]);
       }
     });
+}
+
+bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene, const std::vector<Light>& lights,
+  int lightSamples, std::uint64_t seed, const Monitor& monitor, std::vector<SampleTruth>& truth)
+{
+  truth.clear();
+  std::vector<SampleTruth> ofLight;
+  const auto count = static_cast<double>(lights.size());
+  for (std::size_t k = 0; k < lights.size(); ++k)
+  {
+    const auto done = static_cast<double>(k);
+    if (!MeasureTruth(points, scene, lights[k], lightSamples, seed, monitor.Part(done / count, (done + 1.0) / count),
+          ofLight))
+    {
+      return false;
+    }
+    truth.insert(truth.end(), ofLight.begin(), ofLight.end());
+  }
+  return true;
 }
 
 Estimate EstimateProportion(std::int64_t part, std::int64_t whole)
@@ -287,6 +308,50 @@ bool ClassifyByCones(const std::vector<Vector3>& points, const std::vector<Sampl
     tallies[i] = { counts[i].Samples.load(), counts[i].Shadowed.load(), counts[i].Lit.load() };
   }
   return done;
+}
+
+bool ClassifyByCones(std::size_t lights, const std::vector<Vector3>& points, const std::vector<SampleTruth>& truth,
+  const std::vector<Cone>& cones, const Monitor& monitor, std::vector<SamplePrediction>& predictions,
+  std::vector<ConeTally>& tallies)
+{
+  predictions.clear();
+  tallies.assign(cones.size(), {});
+  const std::vector<std::vector<Cone>> conesOf = ConesOfLights(cones, lights);
+  std::vector<std::vector<int>> indices(lights); // in cones
+  for (std::size_t i = 0; i < cones.size(); ++i)
+  {
+    if (cones[i].LightId >= 0 && static_cast<std::size_t>(cones[i].LightId) < lights)
+    {
+      indices[static_cast<std::size_t>(cones[i].LightId)].push_back(static_cast<int>(i));
+    }
+  }
+  const auto count = static_cast<double>(lights);
+  for (std::size_t light = 0; light < lights; ++light)
+  {
+    const auto first = truth.begin() + static_cast<std::ptrdiff_t>(light * points.size());
+    const std::vector<SampleTruth> part(first, first + static_cast<std::ptrdiff_t>(points.size()));
+    std::vector<SamplePrediction> predicted;
+    std::vector<ConeTally> counted;
+    const auto done = static_cast<double>(light);
+    if (!ClassifyByCones(points, part, conesOf[light], monitor.Part(done / count, (done + 1.0) / count), predicted,
+          counted))
+    {
+      return false;
+    }
+    for (SamplePrediction& prediction : predicted)
+    {
+      if (prediction.ConeId >= 0)
+      {
+        prediction.ConeId = indices[light][static_cast<std::size_t>(prediction.ConeId)];
+      }
+    }
+    predictions.insert(predictions.end(), predicted.begin(), predicted.end());
+    for (std::size_t i = 0; i < counted.size(); ++i)
+    {
+      tallies[static_cast<std::size_t>(indices[light][i])] = counted[i];
+    }
+  }
+  return true;
 }
 
 int CountedOccluder(const SampleTruth& truth, const SamplePrediction& prediction, const std::vector<Cone>& cones)

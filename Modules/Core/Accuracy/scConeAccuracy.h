@@ -51,6 +51,12 @@ struct SampleTruth
 SHADOWCONESCORE_EXPORT bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene,
   const Light& light, int lightSamples, std::uint64_t seed, const Monitor& monitor, std::vector<SampleTruth>& truth);
 
+/// The same for several lights, as seen from the same samples: all points for the first light, then all for the next
+/// one.
+SHADOWCONESCORE_EXPORT bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene,
+  const std::vector<Light>& lights, int lightSamples, std::uint64_t seed, const Monitor& monitor,
+  std::vector<SampleTruth>& truth);
+
 /// What is predicted for a sample point.
 struct SamplePrediction
 {
@@ -171,6 +177,14 @@ struct ConeTally
 SHADOWCONESCORE_EXPORT bool ClassifyByCones(const std::vector<Vector3>& points, const std::vector<SampleTruth>& truth,
   const std::vector<Cone>& cones, const Monitor& monitor, std::vector<SamplePrediction>& predictions,
   std::vector<ConeTally>& tallies);
+
+/**
+ * The same for the truth of several lights: each is predicted by its own cones (LightId). Predictions are in the order
+ * of @p truth, and name cones by their index in @p cones.
+ */
+SHADOWCONESCORE_EXPORT bool ClassifyByCones(std::size_t lights, const std::vector<Vector3>& points,
+  const std::vector<SampleTruth>& truth, const std::vector<Cone>& cones, const Monitor& monitor,
+  std::vector<SamplePrediction>& predictions, std::vector<ConeTally>& tallies);
 
 /// The occluder that a sample is counted for: the one that blocks most, else that of the cone that holds it, else -1.
 SHADOWCONESCORE_EXPORT int CountedOccluder(

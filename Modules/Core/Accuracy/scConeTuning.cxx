@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace shadowcones
 {
@@ -26,9 +27,10 @@ constexpr std::size_t numberOfFinalists = 6;
 /// What judging a kind of tuning needs again and again.
 struct Judge
 {
-  Judge(const ShadowVectorView& vectors, const PhotonPathView& paths, ConeTuning tuning,
+  Judge(const ShadowVectorView& vectors, const PhotonPathView& paths, std::size_t lights, ConeTuning tuning,
     vtkIdType largestNumberOfVectors)
     : Data(vectors, paths, largestNumberOfVectors)
+    , Lights(lights)
     , Region(Data.Region(tuning == ConeTuning::Preview ? previewMargin : boundsMargin))
   {
     if (tuning == ConeTuning::Preview)
@@ -38,6 +40,7 @@ struct Judge
   }
 
   TuningData Data;
+  std::size_t Lights;              ///< their number
   Box Region;                      ///< where light counts
   std::vector<PathSample> Samples; ///< Preview
 };
@@ -52,7 +55,11 @@ struct LightSums
 
 LightSums SumLight(const Judge& judge, const std::vector<Cone>& cones)
 {
-  const ConeHierarchy hierarchy(cones, judge.Region);
+  std::vector<std::unique_ptr<ConeHierarchy>> hierarchies;
+  for (const std::vector<Cone>& ofLight : ConesOfLights(cones, judge.Lights))
+  {
+    hierarchies.push_back(std::make_unique<ConeHierarchy>(ofLight, judge.Region));
+  }
   // Fixed chunks, joined in order: the sums do not depend on the number of threads.
   constexpr vtkIdType chunk = 256;
   const auto count = static_cast<vtkIdType>(judge.Data.HeldOut.size());
@@ -71,7 +78,7 @@ LightSums SumLight(const Judge& judge, const std::vector<Cone>& cones)
           continue;
         }
         const double stop = std::clamp(path.Stop, begin, end);
-        hierarchy.Intersect(path.Origin, path.Direction, begin, end, intervals);
+        hierarchies[path.Light]->Intersect(path.Origin, path.Direction, begin, end, intervals);
         double leaked = end - stop;
         double lost = 0.0;
         parts[part].Blocked += leaked;
@@ -117,14 +124,20 @@ std::vector<double> HoldingShares(const Judge& judge, const std::vector<Cone>& c
   {
     cone.HalfAngle *= largest;
   }
-  const ConeTree tree = ConeTree::OverSlices(narrow, judge.Region, HUGE_VAL);
+  const std::vector<std::vector<Cone>> conesOf = ConesOfLights(cones, judge.Lights);
+  std::vector<ConeTree> trees;
+  for (const std::vector<Cone>& ofLight : ConesOfLights(narrow, judge.Lights))
+  {
+    trees.push_back(ConeTree::OverSlices(ofLight, judge.Region, HUGE_VAL));
+  }
   std::vector<double> shares(judge.Samples.size(), HUGE_VAL);
   ParallelFor(static_cast<vtkIdType>(shares.size()), {}, [&](vtkIdType first, vtkIdType last) {
     for (vtkIdType i = first; i < last; ++i)
     {
       double smallest = HUGE_VAL;
-      tree.AnyAtPoint(judge.Samples[i].Point, [&](const ConeTree::Entry& entry) {
-        const Cone& cone = cones[entry.Cone];
+      const std::size_t light = judge.Samples[i].Light;
+      trees[light].AnyAtPoint(judge.Samples[i].Point, [&](const ConeTree::Entry& entry) {
+        const Cone& cone = conesOf[light][entry.Cone];
         const Vector3 offset = judge.Samples[i].Point - cone.Center;
         const double height = Dot(offset, cone.Axis);
         const double beyond = std::sqrt(std::max(0.0, Dot(offset, offset) - height * height)) - cone.BaseRadius;
@@ -210,14 +223,19 @@ std::vector<double> BlockingScales(const Judge& judge, const std::vector<Cone>& 
     disc.BaseRadius *= largestScale;
     disc.Axis = disc.Normal;
   }
-  const ConeTree tree = ConeTree::OverBases(discs);
+  const std::vector<std::vector<Cone>> conesOf = ConesOfLights(cones, judge.Lights);
+  std::vector<ConeTree> trees;
+  for (const std::vector<Cone>& ofLight : ConesOfLights(discs, judge.Lights))
+  {
+    trees.push_back(ConeTree::OverBases(ofLight));
+  }
   std::vector<double> scales(judge.Data.HeldOut.size(), HUGE_VAL);
   ParallelFor(static_cast<vtkIdType>(scales.size()), {}, [&](vtkIdType first, vtkIdType last) {
     for (vtkIdType i = first; i < last; ++i)
     {
       const HeldOutPath& path = judge.Data.HeldOut[i];
-      tree.ForEachOnRay(path.Origin, path.Direction, 0.0, HUGE_VAL, [&](const ConeTree::Entry& entry) {
-        const Cone& disc = cones[entry.Cone];
+      trees[path.Light].ForEachOnRay(path.Origin, path.Direction, 0.0, HUGE_VAL, [&](const ConeTree::Entry& entry) {
+        const Cone& disc = conesOf[path.Light][entry.Cone];
         const double slope = Dot(path.Direction, disc.Normal);
         const double t = Dot(disc.Center - path.Origin, disc.Normal) / slope;
         if (t > 0.0 && std::isfinite(t))
@@ -269,7 +287,7 @@ bool IsBetter(const ConeTuningResult& a, const ConeTuningResult& b)
 }
 
 /// Fit with the options in the result, measure, and set what balances.
-bool Measure(const Judge& judge, const LightExtent& light, ConeTuning tuning, const Monitor& monitor,
+bool Measure(const Judge& judge, const std::vector<LightExtent>& lights, ConeTuning tuning, const Monitor& monitor,
   ConeTuningResult& result)
 {
   ConeSetOptions options = result.Options;
@@ -277,7 +295,7 @@ bool Measure(const Judge& judge, const LightExtent& light, ConeTuning tuning, co
   options.RadiusScale = 1.0;
   ConeSet set;
   const PhotonPathView paths = options.MaximumOverspill < 1.0 ? judge.Data.Paths() : PhotonPathView{};
-  if (!FitConeSet(judge.Data.Vectors(), paths, light, options, Monitor{ nullptr, monitor.Aborted }, set))
+  if (!FitConeSet(judge.Data.Vectors(), paths, lights, options, Monitor{ nullptr, monitor.Aborted }, set))
   {
     return false;
   }
@@ -296,6 +314,11 @@ bool Measure(const Judge& judge, const LightExtent& light, ConeTuning tuning, co
   return true;
 }
 
+bool NeedsLitPaths(ConeTuning tuning)
+{
+  return tuning != ConeTuning::Conservative;
+}
+
 /// Where the search starts: what measuring found good for each use.
 ConeSetOptions Recipe(ConeTuning tuning, ConeSetOptions options)
 {
@@ -309,6 +332,7 @@ ConeSetOptions Recipe(ConeTuning tuning, ConeSetOptions options)
   options.ExpansionFraction = 1.0;
   options.RadiusScale = 1.0;
   options.MaximumOverspill = tuning == ConeTuning::Preview ? 0.25 : 1.0;
+  options.Leftovers = tuning == ConeTuning::Conservative ? ConeLeftovers::Cover : ConeLeftovers::Discard;
   return options;
 }
 
@@ -352,7 +376,7 @@ std::vector<ConeSetOptions> Neighbors(const ConeSetOptions& options)
 }
 
 /// A recipe, probes over the ranges, then steps from the best. @param tried every parameter set measured, the recipe first.
-bool Search(const Judge& judge, const LightExtent& light, ConeTuning tuning, const ConeSetOptions& recipe,
+bool Search(const Judge& judge, const std::vector<LightExtent>& lights, ConeTuning tuning, const ConeSetOptions& recipe,
   const Monitor& monitor, std::vector<ConeTuningResult>& tried)
 {
   const double expected = 1.0 + numberOfProbes + numberOfRounds * static_cast<double>(Neighbors(recipe).size());
@@ -363,7 +387,7 @@ bool Search(const Judge& judge, const LightExtent& light, ConeTuning tuning, con
     }
     ConeTuningResult candidate;
     candidate.Options = options;
-    if (!Measure(judge, light, tuning, monitor, candidate))
+    if (!Measure(judge, lights, tuning, monitor, candidate))
     {
       return false;
     }
@@ -406,16 +430,27 @@ bool Search(const Judge& judge, const LightExtent& light, ConeTuning tuning, con
 
 } // anonymous namespace
 
-bool MeasureTuning(const ShadowVectorView& vectors, const PhotonPathView& paths, const LightExtent& light,
+ConeSetOptions BoundsOptions(const ConeSetOptions& options)
+{
+  return Recipe(ConeTuning::Conservative, options);
+}
+
+bool MeasureTuning(const ShadowVectorView& vectors, const PhotonPathView& paths, const std::vector<LightExtent>& lights,
   ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor, ConeTuningResult& result)
 {
   result = {};
   result.Options = options;
+  const Judge judge(vectors, paths, lights.size(), tuning, manyVectors);
+  result.Lacking = judge.Data.Lacking(NeedsLitPaths(tuning));
+  if (!result.Lacking.empty())
+  {
+    return true;
+  }
   result.NumberOfFits = 1;
-  return Measure(Judge(vectors, paths, tuning, manyVectors), light, tuning, monitor, result);
+  return Measure(judge, lights, tuning, monitor, result);
 }
 
-bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, const LightExtent& light,
+bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, const std::vector<LightExtent>& lights,
   ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor, ConeTuningResult& result)
 {
   result = {};
@@ -427,8 +462,14 @@ bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, c
   const bool many = tuning != ConeTuning::Conservative && vectors.Count > fewVectors;
   const double share = many ? 0.5 : 1.0;
   std::vector<ConeTuningResult> tried;
-  if (!Search(Judge(vectors, paths, tuning, many ? fewVectors : manyVectors), light, tuning, Recipe(tuning, options),
-        monitor.Part(0.0, share), tried))
+  const Judge first(vectors, paths, lights.size(), tuning, many ? fewVectors : manyVectors);
+  result.Lacking = first.Data.Lacking(NeedsLitPaths(tuning));
+  if (!result.Lacking.empty())
+  {
+    result.Options = BoundsOptions(options);
+    return true;
+  }
+  if (!Search(first, lights, tuning, Recipe(tuning, options), monitor.Part(0.0, share), tried))
   {
     return false;
   }
@@ -437,11 +478,11 @@ bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, c
   if (many)
   {
     // More vectors make other cones of the same parameters: the recipe and the best few are measured again.
-    const Judge judge(vectors, paths, tuning, manyVectors);
+    const Judge judge(vectors, paths, lights.size(), tuning, manyVectors);
     tried.resize(std::min(tried.size(), 1 + numberOfFinalists));
     for (std::size_t i = 0; i < tried.size(); ++i)
     {
-      if (!Measure(judge, light, tuning, monitor, tried[i]))
+      if (!Measure(judge, lights, tuning, monitor, tried[i]))
       {
         return false;
       }

@@ -9,6 +9,8 @@
 #include "ShadowConesCoreModule.h"
 #include "scConeSet.h"
 
+#include <string>
+
 namespace shadowcones
 {
 
@@ -28,7 +30,12 @@ struct ConeTuningResult
   double Leak = 0.0;             ///< blocked light outside the cones over all blocked light; Soft: missed share of blocked paths
   double Lost = 0.0;             ///< lit light inside the cones over all blocked light; Soft: lit paths caught over blocked paths
   int NumberOfFits = 0;
+  /// Empty, or what the paths lack to learn from: Options are then those of bounds that need no paths, and nothing was measured.
+  std::string Lacking;
 };
+
+/// Parameters for bounds that no photon path is needed for: large overlapping cones from the light's geometry, none left over.
+SHADOWCONESCORE_EXPORT ConeSetOptions BoundsOptions(const ConeSetOptions& options);
 
 /**
  * Hold a quarter of the photons out (those whose emission point and direction hash so), fit cones to the vectors of the
@@ -38,21 +45,36 @@ struct ConeTuningResult
  * measure the recipe and the best six again with up to 40,000. A path's light is its length inside the paths' bounds, grown by
  * half their diagonal (Preview: a quarter, in 8 samples).
  *
- * @p options gives what is not searched (NumberOfSectors, PlanarityThreshold). @return false where aborted. Throws
- * std::invalid_argument where the paths hold no blocked or no lit path to learn from. The options found are to be fitted with
+ * Vectors and paths of several lights, one extent each, are measured against the cones of their own light and share one
+ * set of parameters. @p options gives what is not searched (NumberOfSectors, PlanarityThreshold). @return false where
+ * aborted. Where the held-out paths are all lit, or for Preview and Soft all blocked, the result is BoundsOptions and says so.
+ * The options found are to be fitted with
  * the same paths: Preview trims bases by them.
  */
 SHADOWCONESCORE_EXPORT bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths,
-  const LightExtent& light, ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor,
+  const std::vector<LightExtent>& lights, ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor,
   ConeTuningResult& result);
 
 /**
  * The measure that tuning minimises, for given options: what a comparison with other parameter sets needs. For Preview and
- * Soft the ExpansionFraction or RadiusScale that balances is chosen here and set in the result's options.
+ * Soft the ExpansionFraction or RadiusScale that balances is chosen here and set in the result's options. Where Lacking is not
+ * empty nothing was measured.
  */
 SHADOWCONESCORE_EXPORT bool MeasureTuning(const ShadowVectorView& vectors, const PhotonPathView& paths,
-  const LightExtent& light, ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor,
+  const std::vector<LightExtent>& lights, ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor,
   ConeTuningResult& result);
+
+/// The same for one light.
+inline bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, const LightExtent& light,
+  ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor, ConeTuningResult& result)
+{
+  return TuneConeSet(vectors, paths, std::vector<LightExtent>{ light }, tuning, options, monitor, result);
+}
+inline bool MeasureTuning(const ShadowVectorView& vectors, const PhotonPathView& paths, const LightExtent& light,
+  ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor, ConeTuningResult& result)
+{
+  return MeasureTuning(vectors, paths, std::vector<LightExtent>{ light }, tuning, options, monitor, result);
+}
 
 } // namespace shadowcones
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <stdexcept>
 #include <string>
 
 namespace shadowcones
@@ -50,14 +49,19 @@ TuningData::TuningData(
   this->AddVectors(vectors, stride);
   // As many paths a vector as there are in all: bases are trimmed as finely as those of the final fit.
   this->AddPaths(paths, std::max(stride, StrideFor(paths.Count, largestNumberOfPaths)));
+}
 
+std::string TuningData::Lacking(bool needLit) const
+{
+  const auto all = static_cast<vtkIdType>(this->HeldOut.size());
   const auto blocked = std::count_if(this->HeldOut.begin(), this->HeldOut.end(),
     [](const HeldOutPath& path) { return std::isfinite(path.Stop); });
-  if (blocked == 0 || blocked == static_cast<vtkIdType>(this->HeldOut.size()))
+  if (blocked > 0 && (blocked < all || !needLit))
   {
-    throw std::invalid_argument("tuning needs both lit and blocked photon paths; of " +
-      std::to_string(this->HeldOut.size()) + " held out, " + std::to_string(blocked) + " are blocked");
+    return {};
   }
+  return "of " + std::to_string(all) + " photon paths held out " + std::to_string(blocked) + " are blocked and " +
+    std::to_string(all - blocked) + " are lit";
 }
 
 void TuningData::AddVectors(const ShadowVectorView& vectors, vtkIdType stride)
@@ -79,6 +83,7 @@ void TuningData::AddVectors(const ShadowVectorView& vectors, vtkIdType stride)
       rays.EmissionPoints.insert(rays.EmissionPoints.end(), e, e + 3);
     }
     rays.Values.push_back(vectors.OccluderIds ? vectors.OccluderIds[i] : 0);
+    rays.LightIds.push_back(vectors.LightIds ? vectors.LightIds[i] : 0);
   }
 }
 
@@ -104,6 +109,7 @@ void TuningData::AddPaths(const PhotonPathView& paths, vtkIdType stride)
       rays.Directions.insert(rays.Directions.end(), d, d + 3);
       rays.EmissionPoints.insert(rays.EmissionPoints.end(), e, e + 3);
       rays.Values.push_back(paths.States[i]);
+      rays.LightIds.push_back(paths.LightIds ? paths.LightIds[i] : 0);
     }
   }
 
@@ -117,6 +123,7 @@ void TuningData::AddPaths(const PhotonPathView& paths, vtkIdType stride)
     const float* d = paths.Directions + 3 * i;
     path.Direction = Normalized({ d[0], d[1], d[2] });
     path.Stop = paths.States[i] != 0 ? Length(At(paths.Points, i) - path.Origin) : HUGE_VAL;
+    path.Light = paths.LightIds ? static_cast<std::size_t>(paths.LightIds[i]) : 0;
     this->HeldOut.push_back(path);
   }
 }
@@ -130,6 +137,7 @@ ShadowVectorView TuningData::Vectors() const
   view.Directions = rays.Directions.data();
   view.EmissionPoints = rays.EmissionPoints.empty() ? nullptr : rays.EmissionPoints.data();
   view.OccluderIds = rays.Values.data();
+  view.LightIds = rays.LightIds.data();
   return view;
 }
 
@@ -142,6 +150,7 @@ PhotonPathView TuningData::Paths() const
   view.EmissionPoints = rays.EmissionPoints.data();
   view.Directions = rays.Directions.data();
   view.States = rays.Values.data();
+  view.LightIds = rays.LightIds.data();
   return view;
 }
 
@@ -175,6 +184,7 @@ std::vector<PathSample> TuningData::SamplesIn(const Box& region) const
       const double t = begin + (piece + shift) * sample.Length;
       sample.Point = path.Origin + t * path.Direction;
       sample.Blocked = t > path.Stop;
+      sample.Light = path.Light;
       for (int axis = 2; axis >= 0; --axis)
       {
         const double share = (sample.Point[axis] - region.Min[axis]) / std::max(size[axis], 1e-300);

@@ -8,6 +8,7 @@
 
 #include "scConeSet.h"
 
+#include <string>
 #include <vector>
 
 namespace shadowcones
@@ -19,6 +20,7 @@ struct HeldOutPath
   Vector3 Origin;
   Vector3 Direction;
   double Stop = HUGE_VAL; ///< HUGE_VAL where the path is lit to its end
+  std::size_t Light = 0;
 };
 
 /// A piece of a held-out path, seen at its middle.
@@ -28,6 +30,7 @@ struct PathSample
   double Length = 0.0; ///< of the piece
   int Cell = 0;        ///< of a regular grid over the region of the samples
   bool Blocked = false;
+  std::size_t Light = 0;
 };
 
 /**
@@ -41,8 +44,10 @@ public:
   static constexpr int CellsPerSide = 12;
 
   /// At most @p largestNumberOfVectors of the vectors, evenly spread, are kept, and as large a share of the other paths.
-  /// Throws std::invalid_argument where the held-out paths are all lit or all blocked.
   TuningData(const ShadowVectorView& vectors, const PhotonPathView& paths, vtkIdType largestNumberOfVectors);
+
+  /// Nothing, or what keeps the held-out paths from teaching anything: none is blocked or, where that is needed, none is lit.
+  std::string Lacking(bool needLit) const;
 
   /// Vectors and paths of the photons that are not held out.
   ShadowVectorView Vectors() const;
@@ -65,6 +70,7 @@ private:
     std::vector<float> Directions;
     std::vector<double> EmissionPoints;
     std::vector<int> Values; ///< occluders of vectors, states of paths
+    std::vector<int> LightIds;
   };
   Rays FittedVectors;
   Rays FittedPaths;

@@ -68,6 +68,7 @@ LightExtent LightExtentOf(const Light& light)
   if (extent.AtInfinity)
   {
     extent.Radius = light.Radius;
+    extent.Center = light.Normal;
     return extent;
   }
   LightBoundingSphere(light, extent.Center, extent.Radius);
@@ -132,8 +133,10 @@ void PenumbraAngles(
 {
   if (light.AtInfinity)
   {
-    outer = light.Radius;
-    inner = -light.Radius;
+    // The mean of a few vectors is not quite the way from the middle of the Sun.
+    const double turn = std::atan2(Length(Cross(axis, light.Center)), Dot(axis, light.Center));
+    outer = std::min(light.Radius + turn, largestHalfAngle);
+    inner = -outer;
     return;
   }
   if (light.Extremes.empty())

@@ -42,6 +42,10 @@ FieldGrid GridOver(const Box& box, int resolution)
 {
   FieldGrid grid;
   const Vector3 size = box.Size();
+  if (!(size.X > 0.0 && size.Y > 0.0 && size.Z > 0.0) || resolution < 1)
+  {
+    return grid;
+  }
   const double cell = std::max({ size.X, size.Y, size.Z }) / resolution;
   std::array<double, 3> spacing{};
   for (int axis = 0; axis < 3; ++axis)

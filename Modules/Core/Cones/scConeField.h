@@ -44,7 +44,7 @@ struct FieldGrid
 /**
  * Points at the centres of the cells of a box, @p resolution cells along its longest side and as many of nearly that
  * size along the others, and one layer of points around it: a field that is clipped to the box changes sign exactly at
- * its faces.
+ * its faces. A box without volume has no cells: all dimensions are 0.
  */
 SHADOWCONESCORE_EXPORT FieldGrid GridOver(const Box& box, int resolution);
 

@@ -180,6 +180,18 @@ void MergeIntervals(std::vector<RayInterval>& intervals, bool perOccluder)
   }
 }
 
+Cone ConeAroundBox(const Box& box)
+{
+  Cone cone;
+  cone.Axis = { 0.0, 0.0, 1.0 };
+  cone.Normal = cone.Axis;
+  const double spare = 0.01 * box.Diagonal() + 1e-6 * std::max(Length(box.Min), Length(box.Max));
+  cone.Center = { box.Center().X, box.Center().Y, box.Min.Z - spare };
+  cone.BaseRadius = 0.5 * std::hypot(box.Size().X, box.Size().Y) + spare;
+  cone.InnerHalfAngle = -1.5;
+  return cone;
+}
+
 std::vector<Cone> Lengthened(std::vector<Cone> cones)
 {
   for (Cone& cone : cones)
@@ -318,20 +330,28 @@ bool ConeHierarchy::MarkGrid(const Vector3& origin, const Vector3& spacing, cons
   const Monitor& monitor, unsigned char* marks) const
 {
   const vtkIdType rows = static_cast<vtkIdType>(dimensions[1]) * dimensions[2];
-  return ParallelFor(rows, monitor, [&](vtkIdType first, vtkIdType last) {
+  const double step = std::fabs(spacing.X);
+  const Vector3 direction{ spacing.X < 0.0 ? -1.0 : 1.0, 0.0, 0.0 };
+  return ParallelFor(rows, monitor, [&](vtkIdType firstRow, vtkIdType endOfRows) {
     std::vector<RayInterval> intervals;
-    for (vtkIdType row = first; row < last; ++row)
+    for (vtkIdType row = firstRow; row < endOfRows; ++row)
     {
       const Vector3 start = origin +
         Vector3{ 0.0, spacing.Y * static_cast<double>(row % dimensions[1]), spacing.Z * static_cast<double>(row / dimensions[1]) };
-      const double length = spacing.X * dimensions[0];
-      this->Intersect(start, { 1.0, 0.0, 0.0 }, 0.0, length, intervals);
       unsigned char* mark = marks + row * dimensions[0];
+      if (step == 0.0)
+      {
+        // One place: all of the row lies in a cone, or nothing.
+        std::fill(mark, mark + dimensions[0], static_cast<unsigned char>(this->Contains(start) ? 1 : 0));
+        continue;
+      }
       std::fill(mark, mark + dimensions[0], static_cast<unsigned char>(0));
+      this->Intersect(start, direction, 0.0, step * dimensions[0], intervals);
       for (const RayInterval& interval : intervals)
       {
-        const int begin = std::max(0, static_cast<int>(std::ceil(interval.Begin / spacing.X)));
-        const int end = std::min(dimensions[0] - 1, static_cast<int>(std::floor(interval.End / spacing.X)));
+        const double last = dimensions[0] - 1.0;
+        const int begin = static_cast<int>(std::clamp(std::ceil(interval.Begin / step), 0.0, last + 1.0));
+        const int end = static_cast<int>(std::clamp(std::floor(interval.End / step), -1.0, last));
         std::fill(mark + begin, mark + std::max(begin, end + 1), static_cast<unsigned char>(1));
       }
     }

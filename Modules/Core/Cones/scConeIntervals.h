@@ -37,6 +37,9 @@ SHADOWCONESCORE_EXPORT bool IntersectCone(const Cone& cone, double length, const
 /// Sort intervals and merge those that touch; with @p perOccluder only within the same occluder.
 SHADOWCONESCORE_EXPORT void MergeIntervals(std::vector<RayInterval>& intervals, bool perOccluder = false);
 
+/// A cone that holds a box, with a little to spare: with it as the only cone, whoever asks inside cones asks everywhere.
+SHADOWCONESCORE_EXPORT Cone ConeAroundBox(const Box& box);
+
 /// Cones that begin one base radius nearer to the light: points on a surface may lie just before the base fitted to it.
 SHADOWCONESCORE_EXPORT std::vector<Cone> Lengthened(std::vector<Cone> cones);
 
@@ -69,8 +72,8 @@ public:
   /// The occluders whose cones hold the point, ascending, each once; @p occluderIds is overwritten.
   void OccludersAt(const Vector3& point, std::vector<int>& occluderIds) const;
   /**
-   * Mark the vertices of a regular grid that a cone holds: marks[i + nx (j + ny k)] is 1 there and 0 elsewhere. One ray query a
-   * row, rows in parallel. @return false where aborted.
+   * Mark the vertices of a regular grid that a cone holds: marks[i + nx (j + ny k)] is 1 there and 0 elsewhere. The
+   * spacing may be 0 or negative. One ray query a row, rows in parallel. @return false where aborted.
    */
   bool MarkGrid(const Vector3& origin, const Vector3& spacing, const std::array<int, 3>& dimensions,
     const Monitor& monitor, unsigned char* marks) const;

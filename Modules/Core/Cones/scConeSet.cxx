@@ -4,9 +4,12 @@
 #include "scBasePartition.h"
 #include "scConeExpansion.h"
 #include "scConeTree.h"
+#include "scLeftoverCones.h"
 #include "scNearestVectors.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace shadowcones
 {
@@ -73,7 +76,7 @@ public:
   bool Run(const Monitor& monitor)
   {
     const vtkIdType count = this->Vectors.Count;
-    const vtkIdType batch = std::clamp<vtkIdType>(count / (8 * this->Options.NumberOfNeighbors), 16, 1024);
+    const vtkIdType batch = std::clamp<vtkIdType>(count / (vtkIdType(8) * this->Options.NumberOfNeighbors), 16, 1024);
     std::vector<vtkIdType> seeds;
     std::vector<Candidate> candidates(static_cast<std::size_t>(batch));
     const Monitor quiet{ nullptr, monitor.Aborted };
@@ -263,17 +266,94 @@ double LitShare(const std::vector<Crossing>& crossings)
   return crossings.empty() ? 0.0 : static_cast<double>(lit) / static_cast<double>(crossings.size());
 }
 
+/// What one light has of some rays, in their order; holds what views point to.
+class RaysOfLight
+{
+public:
+  void Add(const ShadowVectorView& vectors, vtkIdType i)
+  {
+    this->AddRay(vectors.Points, vectors.EmissionPoints, vectors.Directions, i);
+    this->Values.push_back(vectors.OccluderIds ? vectors.OccluderIds[i] : 0);
+    this->Indices.push_back(i);
+  }
+  void Add(const PhotonPathView& paths, vtkIdType i)
+  {
+    this->AddRay(paths.Points, paths.EmissionPoints, paths.Directions, i);
+    this->Values.push_back(paths.States[i]);
+    this->Indices.push_back(i);
+  }
+  ShadowVectorView Vectors() const
+  {
+    return { this->Count(), this->Points.data(), this->Directions.data(),
+      this->EmissionPoints.empty() ? nullptr : this->EmissionPoints.data(), this->Values.data(), nullptr };
+  }
+  PhotonPathView Paths() const
+  {
+    return { this->Count(), this->Points.data(), this->EmissionPoints.data(), this->Directions.data(),
+      this->Values.data(), nullptr };
+  }
+  vtkIdType Count() const { return static_cast<vtkIdType>(this->Indices.size()); }
+
+  std::vector<vtkIdType> Indices; ///< of the rays among those of all lights
+
+private:
+  void AddRay(const double* points, const double* emissionPoints, const float* directions, vtkIdType i)
+  {
+    this->Points.insert(this->Points.end(), points + 3 * i, points + 3 * i + 3);
+    this->Directions.insert(this->Directions.end(), directions + 3 * i, directions + 3 * i + 3);
+    if (emissionPoints)
+    {
+      this->EmissionPoints.insert(this->EmissionPoints.end(), emissionPoints + 3 * i, emissionPoints + 3 * i + 3);
+    }
+  }
+
+  std::vector<double> Points;
+  std::vector<double> EmissionPoints;
+  std::vector<float> Directions;
+  std::vector<int> Values; ///< occluders of vectors, states of paths
+};
+
+template <class View>
+std::vector<RaysOfLight> SplitByLight(const View& rays, std::size_t lights, const char* item)
+{
+  std::vector<RaysOfLight> parts(lights);
+  for (vtkIdType i = 0; i < rays.Count; ++i)
+  {
+    const int light = rays.LightIds ? rays.LightIds[i] : 0;
+    if (light < 0 || static_cast<std::size_t>(light) >= lights)
+    {
+      throw std::invalid_argument("the \"LightId\" of " + std::string(item) + " " + std::to_string(i) + " is " +
+        std::to_string(light) + " where there are " + std::to_string(lights) + " lights");
+    }
+    parts[static_cast<std::size_t>(light)].Add(rays, i);
+  }
+  return parts;
+}
+
 } // anonymous namespace
+
+std::vector<std::vector<Cone>> ConesOfLights(const std::vector<Cone>& cones, std::size_t count)
+{
+  std::vector<std::vector<Cone>> parts(count);
+  for (const Cone& cone : cones)
+  {
+    if (cone.LightId >= 0 && static_cast<std::size_t>(cone.LightId) < count)
+    {
+      parts[static_cast<std::size_t>(cone.LightId)].push_back(cone);
+    }
+  }
+  return parts;
+}
 
 const char* CheckConeSetOptions(const ConeSetOptions& options)
 {
-  if (options.NumberOfNeighbors < 3)
+  if (options.NumberOfNeighbors < 3 || options.NumberOfNeighbors > 1000000)
   {
-    return "NumberOfNeighbors (p1) must be at least 3";
+    return "NumberOfNeighbors (p1) must lie in 3..1000000";
   }
-  if (options.NumberOfSectors < 1)
+  if (options.NumberOfSectors < 1 || options.NumberOfSectors > 65536)
   {
-    return "NumberOfSectors (p2) must be at least 1";
+    return "NumberOfSectors (p2) must lie in 1..65536";
   }
   if (options.PointsPerRing < 1)
   {
@@ -287,6 +367,16 @@ const char* CheckConeSetOptions(const ConeSetOptions& options)
   {
     return "NumberOfNeighbors (p1) must not be below MinimumVectorsPerCone (p4): no cone could ever hold enough vectors";
   }
+  if (options.PointsPerRing >= options.NumberOfNeighbors)
+  {
+    return "PointsPerRing (p3) must be below NumberOfNeighbors (p1): not even one ring could be filled beside the seed";
+  }
+  const int rings = (options.NumberOfNeighbors - 1) / options.PointsPerRing;
+  if (1 + rings * options.PointsPerRing < options.MinimumVectorsPerCone)
+  {
+    return "MinimumVectorsPerCone (p4) must not be above 1 + PointsPerRing (p3) times the whole rings among "
+           "NumberOfNeighbors - 1 (p1): no cone could ever hold enough vectors";
+  }
   if (!(options.VarianceThreshold >= 0.0))
   {
     return "VarianceThreshold must be 0 or more";
@@ -299,6 +389,10 @@ const char* CheckConeSetOptions(const ConeSetOptions& options)
   {
     return "Expansion must be 0 (MaximumDeviation), 1 (RadiusRatio) or 2 (LightGeometry)";
   }
+  if (options.Leftovers != ConeLeftovers::Discard && options.Leftovers != ConeLeftovers::Cover)
+  {
+    return "Leftovers must be 0 (Discard) or 1 (Cover)";
+  }
   if (!(options.ExpansionFraction >= 0.0 && options.ExpansionFraction <= 1.0))
   {
     return "ExpansionFraction must lie in 0..1";
@@ -307,9 +401,9 @@ const char* CheckConeSetOptions(const ConeSetOptions& options)
   {
     return "MaximumOverspill must lie in 0..1";
   }
-  if (!(options.RadiusScale > 0.0))
+  if (!(options.RadiusScale > 0.0 && std::isfinite(options.RadiusScale)))
   {
-    return "RadiusScale must be above 0";
+    return "RadiusScale must be above 0 and finite";
   }
   return nullptr;
 }
@@ -329,6 +423,10 @@ bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, co
   {
     return false;
   }
+  if (options.Leftovers == ConeLeftovers::Cover)
+  {
+    CoverLeftovers(vectors, light, options, result);
+  }
   if (paths.Count == 0)
   {
     return true;
@@ -342,6 +440,48 @@ bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, co
   {
     TrimBase(crossings[i], options.MaximumOverspill, light, options.Expansion, options.ExpansionFraction, result.Cones[i]);
     result.Cones[i].Overspill = LitShare(crossings[i]);
+  }
+  return true;
+}
+
+bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, const std::vector<LightExtent>& lights,
+  const ConeSetOptions& options, const Monitor& monitor, ConeSet& result)
+{
+  if (lights.size() == 1 && !vectors.LightIds && !paths.LightIds)
+  {
+    return FitConeSet(vectors, paths, lights.front(), options, monitor, result);
+  }
+  result = {};
+  result.ConeIds.assign(static_cast<std::size_t>(vectors.Count), -1);
+  if (vectors.Count == 0)
+  {
+    return true;
+  }
+  const std::vector<RaysOfLight> vectorsOf = SplitByLight(vectors, lights.size(), "vector");
+  const std::vector<RaysOfLight> pathsOf = SplitByLight(paths, lights.size(), "path");
+  double done = 0.0;
+  for (std::size_t light = 0; light < lights.size(); ++light)
+  {
+    const RaysOfLight& part = vectorsOf[light];
+    const double next = done + static_cast<double>(part.Count()) / std::max<double>(1.0, vectors.Count);
+    ConeSet set;
+    if (!FitConeSet(
+          part.Vectors(), pathsOf[light].Paths(), lights[light], options, monitor.Part(done, std::min(next, 1.0)), set))
+    {
+      return false;
+    }
+    done = std::min(next, 1.0);
+    const auto first = static_cast<vtkIdType>(result.Cones.size());
+    for (Cone& cone : set.Cones)
+    {
+      cone.LightId = static_cast<int>(light);
+      result.Cones.push_back(cone);
+    }
+    for (std::size_t i = 0; i < set.ConeIds.size(); ++i)
+    {
+      result.ConeIds[static_cast<std::size_t>(part.Indices[i])] = set.ConeIds[i] < 0 ? -1 : first + set.ConeIds[i];
+    }
+    result.NumberOfDiscarded += set.NumberOfDiscarded;
   }
   return true;
 }

@@ -17,6 +17,14 @@
 namespace shadowcones
 {
 
+/// Values of the array "ConeOrigin".
+enum class ConeOrigin : int
+{
+  Fitted = 0, ///< to shadow vectors
+  Grown = 1,  ///< fitted, then made larger to hold parts of occluders with all their shadow
+  Added = 2   ///< around parts of occluders
+};
+
 /// One cone: all points x with h = (x - Center) . Axis >= 0 and distance from the axis <= BaseRadius + h tan(HalfAngle).
 struct Cone
 {
@@ -30,7 +38,12 @@ struct Cone
   int VectorCount = 0;         ///< vectors inside the base
   double Planarity = 0.0;      ///< rms distance of the vectors from the base plane over BaseRadius
   double Overspill = -1.0;     ///< share of lit photon paths among those through the base disc; -1: no paths were given
+  int LightId = 0;             ///< of the light whose shadow it bounds
+  ConeOrigin Origin = ConeOrigin::Fitted;
 };
+
+/// The cones of each of @p count lights, in their order.
+SHADOWCONESCORE_EXPORT std::vector<std::vector<Cone>> ConesOfLights(const std::vector<Cone>& cones, std::size_t count);
 
 /// Shadow vectors, not owned; three doubles or floats each.
 struct ShadowVectorView
@@ -40,6 +53,7 @@ struct ShadowVectorView
   const float* Directions = nullptr;      ///< unit, away from the light
   const double* EmissionPoints = nullptr; ///< on the light
   const int* OccluderIds = nullptr;       ///< one each, or nullptr: all 0
+  const int* LightIds = nullptr;          ///< one each, or nullptr: all 0
 };
 
 /// Photon paths, not owned.
@@ -49,7 +63,8 @@ struct PhotonPathView
   const double* Points = nullptr;         ///< where the path ends
   const double* EmissionPoints = nullptr; ///< where it starts
   const float* Directions = nullptr;
-  const int* States = nullptr; ///< 0 lit, 1 blocked at Points
+  const int* States = nullptr;   ///< 0 lit, 1 blocked at Points
+  const int* LightIds = nullptr; ///< one each, or nullptr: all 0
 };
 
 enum class ConeExpansion : int
@@ -64,7 +79,7 @@ struct LightExtent
 {
   bool AtInfinity = false; ///< a Sun: Radius is its angular radius, radians
   std::vector<Vector3> Extremes; ///< points whose convex hull holds the light; empty: the sphere of Center and Radius
-  Vector3 Center;
+  Vector3 Center;          ///< a Sun: the unit way that its light travels
   double Radius = 0.0;
 };
 
@@ -81,19 +96,26 @@ SHADOWCONESCORE_EXPORT LightExtent LightExtentOf(const double* emissionPoints, v
 SHADOWCONESCORE_EXPORT void PenumbraAngles(
   const LightExtent& light, const Vector3& center, const Vector3& axis, double baseRadius, double& outer, double& inner);
 
+enum class ConeLeftovers : int
+{
+  Discard = 0, ///< vectors that no base took have no cone (section 3.2.1)
+  Cover = 1    ///< they get cones of their own
+};
+
 struct ConeSetOptions
 {
-  int NumberOfNeighbors = 100;       ///< p1: vectors in K, at least 3
-  int NumberOfSectors = 20;          ///< p2: angular bins, at least 1
-  int PointsPerRing = 16;            ///< p3: vectors in each ring, at least 1
-  int MinimumVectorsPerCone = 20;    ///< p4: fewer make no cone; at least 1, at most NumberOfNeighbors
+  int NumberOfNeighbors = 100;       ///< p1: vectors in K, 3..1000000
+  int NumberOfSectors = 20;          ///< p2: angular bins, 1..65536
+  int PointsPerRing = 16;            ///< p3: vectors in each ring, at least 1, below NumberOfNeighbors
+  int MinimumVectorsPerCone = 20;    ///< p4: fewer make no cone; at least 1, at most the seed and the rings that K holds
   double VarianceThreshold = 1.6;    ///< largest variance over mean of a ring's sector counts
   double PlanarityThreshold = 0.0;   ///< largest rms distance from the plane over the ring's radius; 0: no test
   bool CosineCorrection = true;      ///< base radius r cos(theta) (figure 5)
   ConeExpansion Expansion = ConeExpansion::MaximumDeviation;
   double ExpansionFraction = 1.0;    ///< HalfAngle is this share of the angle found, 0..1
-  double RadiusScale = 1.0;          ///< factor on the base radius, above 0
+  double RadiusScale = 1.0;          ///< factor on the base radius, above 0, finite
   double MaximumOverspill = 1.0;     ///< shrink bases until at most this share of their paths is lit, 0..1; 1: off; needs paths
+  ConeLeftovers Leftovers = ConeLeftovers::Discard;
   bool Overlap = false;              ///< neighbours come from all vectors; covered ones only stop being seeds
 };
 
@@ -112,7 +134,16 @@ struct ConeSet
 SHADOWCONESCORE_EXPORT bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths,
   const LightExtent& light, const ConeSetOptions& options, const Monitor& monitor, ConeSet& result);
 
+/**
+ * The same for vectors of several lights, one extent a light: a cone never joins vectors of two. Each light has the
+ * cones that it would have alone, those of the first light first. Throws std::invalid_argument where a "LightId" has no
+ * extent.
+ */
+SHADOWCONESCORE_EXPORT bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths,
+  const std::vector<LightExtent>& lights, const ConeSetOptions& options, const Monitor& monitor, ConeSet& result);
+
 /// nullptr, or what is wrong with the options.
+/// nullptr, or what is wrong with the options: a range that is left, or parameters with which no cone could be made.
 SHADOWCONESCORE_EXPORT const char* CheckConeSetOptions(const ConeSetOptions& options);
 
 } // namespace shadowcones

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace shadowcones
 {
@@ -108,6 +109,10 @@ ConeTree ConeTree::OverBases(const std::vector<Cone>& cones)
 ConeTree::ConeTree(std::vector<Entry> entries)
   : Entries(std::move(entries))
 {
+  if (this->Entries.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+  {
+    throw std::length_error("a tree holds at most 2^31 - 1 slices of cones");
+  }
   if (!this->Entries.empty())
   {
     this->Nodes.reserve(2 * this->Entries.size() / leafSize + 2);

@@ -5,6 +5,8 @@
 #include <pcl/point_types.h>
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 
 namespace shadowcones
 {
@@ -17,9 +19,13 @@ struct NearestVectors::Tree
 
 NearestVectors::NearestVectors(const double* points, vtkIdType count)
   : Points(points)
-  , Alive(static_cast<std::size_t>(count), 1)
   , NumberAlive(count)
 {
+  if (count > std::numeric_limits<pcl::index_t>::max())
+  {
+    throw std::length_error("a search tree holds at most 2^31 - 1 points");
+  }
+  this->Alive.assign(static_cast<std::size_t>(count), 1);
   for (vtkIdType i = 0; i < count; ++i)
   {
     this->Bounds.Add(Vector3{ points[3 * i], points[3 * i + 1], points[3 * i + 2] });
@@ -74,10 +80,10 @@ void NearestVectors::Query(vtkIdType id, int k, std::vector<vtkIdType>& ids) con
   thread_local pcl::Indices found;
   thread_local std::vector<float> distances;
   const auto entry = std::lower_bound(this->TreeIds.begin(), this->TreeIds.end(), id) - this->TreeIds.begin();
-  const int size = static_cast<int>(this->TreeIds.size());
+  const auto size = static_cast<vtkIdType>(this->TreeIds.size());
 
   // Dead neighbours take places: ask for more until enough of the living are among them.
-  for (int asked = std::min(k, size);; asked = std::min(2 * asked, size))
+  for (vtkIdType asked = std::min<vtkIdType>(k, size);; asked = std::min(2 * asked, size))
   {
     this->Index->Search.nearestKSearch(static_cast<pcl::index_t>(entry), static_cast<unsigned int>(asked), found, distances);
     ids.clear();

@@ -22,7 +22,7 @@ namespace shadowcones
 class NearestVectors
 {
 public:
-  /// @param points 3 doubles each, which must outlive this object.
+  /// @param points 3 doubles each, which must outlive this object. Throws std::length_error beyond 2^31 - 1 of them.
   NearestVectors(const double* points, vtkIdType count);
   ~NearestVectors();
 

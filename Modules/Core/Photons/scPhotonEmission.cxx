@@ -83,7 +83,9 @@ PhotonEmission::PhotonEmission(const Light& light, const TriangleMeshView& mesh)
 
 EmittedPhoton PhotonEmission::Emit(std::uint64_t seed, vtkIdType index) const
 {
-  const auto point = SobolPoint(seed, static_cast<std::uint32_t>(index));
+  // Indices of the sequence have 32 bits: later photons take another one.
+  const auto sequence = static_cast<std::uint64_t>(index) >> 32;
+  const auto point = SobolPoint(sequence ? HashSeed(seed, sequence) : seed, static_cast<std::uint32_t>(index));
   double u[4] = { point[0], point[1], point[2], point[3] };
   if (this->Target.Empty())
   {
@@ -116,6 +118,20 @@ EmittedPhoton PhotonEmission::Emit(std::uint64_t seed, vtkIdType index) const
   const double emitted = this->IsPoint ? 1.0 : std::max(0.0, Dot(photon.Direction, start.Normal));
   photon.Power = this->MeanRadiance * emitted * photon.SolidAngle / start.Density;
   return photon;
+}
+
+double PhotonEmission::Power() const
+{
+  if (IsAtInfinity(this->Source))
+  {
+    const Vector3 size = this->Target.Empty() ? Vector3() : this->Target.Size();
+    const Vector3& normal = this->Source.Normal;
+    return this->MeanRadiance *
+      (std::fabs(normal.X) * size.Y * size.Z + std::fabs(normal.Y) * size.Z * size.X +
+        std::fabs(normal.Z) * size.X * size.Y);
+  }
+  const auto points = static_cast<double>(std::max<std::size_t>(this->Source.Vertices.size(), 1));
+  return pi * this->MeanRadiance * (this->IsPoint ? 4.0 * points : this->Area);
 }
 
 EmittedPhoton PhotonEmission::EmitFromSun(const double (&u)[4]) const

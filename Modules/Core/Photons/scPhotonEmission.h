@@ -34,6 +34,12 @@ public:
   /// Photon @p index of the sequence @p seed.
   EmittedPhoton Emit(std::uint64_t seed, vtkIdType index) const;
 
+  /**
+   * What lights share photons by, W, mean over wavelengths: pi times area times radiance, 4 pi times intensity for each
+   * point, and for a Sun its irradiance times the area of the occluders' bounds as it sees them.
+   */
+  double Power() const;
+
 private:
   EmittedPhoton EmitFromSun(const double (&u)[4]) const;
   EmittedPhoton EmitOverHemisphere(const LightSurfaceSample& start, double u, double v) const;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scShadowVectors.h"
 
+#include "scLampPlane.h"
+#include "scLightShares.h"
 #include "scPhotonEmission.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -13,6 +16,8 @@ namespace
 {
 constexpr vtkIdType photonsPerTask = 1024;
 constexpr vtkIdType photonsPerVectorLimit = 1000;
+/// Times the rounding: a ray along a slanted edge meets the two triangles a little apart.
+constexpr double sameCrossing = 100.0;
 
 void Append(std::vector<double>& values, const Vector3& v)
 {
@@ -40,6 +45,7 @@ void Append(ShadowVectorResult& result, const ShadowVectorResult& more)
   Append(result.Vectors.PathLengths, more.Vectors.PathLengths);
   Append(result.Vectors.Thicknesses, more.Vectors.Thicknesses);
   Append(result.Vectors.PhotonIndices, more.Vectors.PhotonIndices);
+  Append(result.Vectors.LightIds, more.Vectors.LightIds);
   Append(result.Paths.Points, more.Paths.Points);
   Append(result.Paths.States, more.Paths.States);
   Append(result.Paths.OccluderIds, more.Paths.OccluderIds);
@@ -47,6 +53,7 @@ void Append(ShadowVectorResult& result, const ShadowVectorResult& more)
   Append(result.Paths.Directions, more.Paths.Directions);
   Append(result.Paths.Powers, more.Paths.Powers);
   Append(result.Paths.PhotonIndices, more.Paths.PhotonIndices);
+  Append(result.Paths.LightIds, more.Paths.LightIds);
   Append(result.Photons.Points, more.Photons.Points);
   Append(result.Photons.Normals, more.Photons.Normals);
   Append(result.Photons.Directions, more.Photons.Directions);
@@ -54,6 +61,7 @@ void Append(ShadowVectorResult& result, const ShadowVectorResult& more)
   Append(result.Photons.OccluderIds, more.Photons.OccluderIds);
   Append(result.Photons.ReceiverIds, more.Photons.ReceiverIds);
   Append(result.Photons.PhotonIndices, more.Photons.PhotonIndices);
+  Append(result.Photons.LightIds, more.Photons.LightIds);
   result.MeanSolidAngle += more.MeanSolidAngle;
 }
 
@@ -61,33 +69,46 @@ void Append(ShadowVectorResult& result, const ShadowVectorResult& more)
 class PhotonTracer
 {
 public:
-  PhotonTracer(const OccluderScene& scene, const Light& light, const ShadowVectorOptions& options)
+  PhotonTracer(const OccluderScene& scene, const std::vector<Light>& lights, const ShadowVectorOptions& options)
     : Scene(scene)
-    , Emission(light, scene.Mesh())
+    , Emissions(EmissionsOf(lights, scene.Mesh()))
+    , Shares(PowersOf(Emissions))
     , Options(options)
     , Closed(ClosedOccluders(scene.Mesh()))
     , Whole(scene.Bounds())
   {
-    Vector3 center;
-    double radius = 0.0;
-    LightBoundingSphere(light, center, radius);
-    if (!IsAtInfinity(light))
+    for (const Light& light : lights)
     {
-      this->Whole.Add(center - Vector3{ radius, radius, radius });
-      this->Whole.Add(center + Vector3{ radius, radius, radius });
+      this->Rules.push_back(scene.RulesFor(FlatFaceOf(light)));
+      Vector3 center;
+      double radius = 0.0;
+      LightBoundingSphere(light, center, radius);
+      if (!IsAtInfinity(light))
+      {
+        this->Whole.Add(center - Vector3{ radius, radius, radius });
+        this->Whole.Add(center + Vector3{ radius, radius, radius });
+      }
     }
   }
 
+  /// How many of the first @p photons leave each light.
+  std::vector<vtkIdType> PhotonsOfLights(vtkIdType photons) const { return this->Shares.Counts(photons); }
+
   void Trace(vtkIdType index, ShadowVectorResult& result) const
   {
-    const EmittedPhoton photon = this->Emission.Emit(this->Options.Seed, index);
+    const LightShares::Place place = this->Shares.At(index);
+    TracedPhoton photon;
+    static_cast<EmittedPhoton&>(photon) =
+      this->Emissions[static_cast<std::size_t>(place.Light)].Emit(this->Options.Seed, place.Index);
+    photon.LightId = place.Light;
     result.MeanSolidAngle += photon.SolidAngle;
     if (photon.Power <= 0.0)
     {
       return;
     }
     thread_local std::vector<RayHit> hits;
-    this->Scene.IntersectAll(photon.Origin, photon.Direction, this->Scene.Epsilon(), HUGE_VAL, hits);
+    this->Scene.IntersectAll(photon.Origin, photon.Direction, 0.0, HUGE_VAL, hits,
+      this->Rules[static_cast<std::size_t>(place.Light)]);
 
     // The path ends at the first receiver.
     std::size_t end = 0;
@@ -100,6 +121,32 @@ public:
   }
 
 private:
+  struct TracedPhoton : EmittedPhoton
+  {
+    int LightId = 0;
+  };
+
+  static std::vector<PhotonEmission> EmissionsOf(const std::vector<Light>& lights, const TriangleMeshView& mesh)
+  {
+    std::vector<PhotonEmission> emissions;
+    emissions.reserve(lights.size());
+    for (const Light& light : lights)
+    {
+      emissions.emplace_back(light, mesh);
+    }
+    return emissions;
+  }
+
+  static std::vector<double> PowersOf(const std::vector<PhotonEmission>& emissions)
+  {
+    std::vector<double> powers;
+    for (const PhotonEmission& emission : emissions)
+    {
+      powers.push_back(emission.Power());
+    }
+    return powers;
+  }
+
   struct Passage
   {
     RayHit Entry;
@@ -109,10 +156,12 @@ private:
   int OccluderOf(const RayHit& hit) const { return this->Scene.Mesh().OccluderId(hit.Triangle); }
 
   /// Robust rays report both triangles of an edge that they hit: the second one is no further crossing.
-  bool RepeatsCrossing(const std::vector<RayHit>& hits, std::size_t entry, std::size_t i) const
+  bool RepeatsCrossing(
+    const EmittedPhoton& photon, const std::vector<RayHit>& hits, std::size_t entry, std::size_t i) const
   {
+    const double rounding = sameCrossing * RoundingAlong(photon.Origin, hits[i].T);
     const vtkIdType* ids = this->Scene.Mesh().Triangles;
-    for (std::size_t j = i; j-- > entry && hits[i].T - hits[j].T <= this->Scene.Epsilon();)
+    for (std::size_t j = i; j-- > entry && hits[i].T - hits[j].T <= rounding;)
     {
       const vtkIdType* a = ids + 3 * hits[j].Triangle;
       const vtkIdType* b = ids + 3 * hits[i].Triangle;
@@ -128,7 +177,7 @@ private:
    * From the entry to where the path leaves the same solid, be it behind a receiver (a leg sunk into a floor); an open sheet
    * is left where it is met.
    */
-  Passage PassageFrom(const std::vector<RayHit>& hits, std::size_t entry) const
+  Passage PassageFrom(const EmittedPhoton& photon, const std::vector<RayHit>& hits, std::size_t entry) const
   {
     Passage passage{ hits[entry], hits[entry] };
     if (!this->Closed[passage.Entry.Triangle])
@@ -139,7 +188,7 @@ private:
     int depth = 0;
     for (std::size_t i = entry; i < hits.size(); ++i)
     {
-      if (this->OccluderOf(hits[i]) != occluder || this->RepeatsCrossing(hits, entry, i))
+      if (this->OccluderOf(hits[i]) != occluder || this->RepeatsCrossing(photon, hits, entry, i))
       {
         continue;
       }
@@ -153,7 +202,7 @@ private:
     return passage;
   }
 
-  void StorePath(const EmittedPhoton& photon, vtkIdType index, const std::vector<RayHit>& hits, std::size_t end,
+  void StorePath(const TracedPhoton& photon, vtkIdType index, const std::vector<RayHit>& hits, std::size_t end,
     PhotonPaths& paths) const
   {
     const bool blocked = end > 0;
@@ -176,10 +225,11 @@ private:
     Append(paths.Directions, photon.Direction);
     paths.Powers.push_back(static_cast<float>(photon.Power));
     paths.PhotonIndices.push_back(index);
+    paths.LightIds.push_back(photon.LightId);
   }
 
   /// One vector for each occluder along the path, and a shadow photon on the surface behind the first one.
-  void StoreVectors(const EmittedPhoton& photon, vtkIdType index, const std::vector<RayHit>& hits, std::size_t end,
+  void StoreVectors(const TracedPhoton& photon, vtkIdType index, const std::vector<RayHit>& hits, std::size_t end,
     ShadowVectorResult& result) const
   {
     thread_local std::vector<int> seen;
@@ -191,7 +241,7 @@ private:
       {
         continue;
       }
-      const Passage passage = this->PassageFrom(hits, i);
+      const Passage passage = this->PassageFrom(photon, hits, i);
       if (seen.empty())
       {
         this->StoreShadowPhoton(photon, index, passage, hits, result.Photons);
@@ -202,7 +252,7 @@ private:
   }
 
   void StoreVector(
-    const EmittedPhoton& photon, vtkIdType index, const Passage& passage, ShadowVectors& vectors) const
+    const TracedPhoton& photon, vtkIdType index, const Passage& passage, ShadowVectors& vectors) const
   {
     const bool back = this->Options.Storage == VectorStorage::BackSide;
     const RayHit& hit = back ? passage.Exit : passage.Entry;
@@ -221,14 +271,15 @@ private:
     vectors.PathLengths.push_back(static_cast<float>(hit.T));
     vectors.Thicknesses.push_back(static_cast<float>(passage.Exit.T - passage.Entry.T));
     vectors.PhotonIndices.push_back(index);
+    vectors.LightIds.push_back(photon.LightId);
   }
 
-  void StoreShadowPhoton(const EmittedPhoton& photon, vtkIdType index, const Passage& passage,
+  void StoreShadowPhoton(const TracedPhoton& photon, vtkIdType index, const Passage& passage,
     const std::vector<RayHit>& hits, ShadowPhotons& photons) const
   {
     const int occluder = this->OccluderOf(passage.Entry);
     const auto next = std::find_if(hits.begin(), hits.end(), [&](const RayHit& hit) {
-      return hit.T > passage.Exit.T + this->Scene.Epsilon() && this->OccluderOf(hit) != occluder;
+      return hit.T > passage.Exit.T + RoundingAlong(photon.Origin, hit.T) && this->OccluderOf(hit) != occluder;
     });
     if (next == hits.end())
     {
@@ -241,12 +292,15 @@ private:
     photons.OccluderIds.push_back(occluder);
     photons.ReceiverIds.push_back(this->OccluderOf(*next));
     photons.PhotonIndices.push_back(index);
+    photons.LightIds.push_back(photon.LightId);
   }
 
   const OccluderScene& Scene;
-  const PhotonEmission Emission;
+  const std::vector<PhotonEmission> Emissions; ///< one a light
+  const LightShares Shares;
   const ShadowVectorOptions& Options;
   const std::vector<bool> Closed;
+  std::vector<RayRules> Rules; ///< one a light: for what is flush with it
   Box Whole;
 };
 
@@ -282,7 +336,7 @@ bool TraceRange(const PhotonTracer& tracer, vtkIdType begin, vtkIdType end, cons
 bool TraceUntil(const PhotonTracer& tracer, vtkIdType target, const Monitor& monitor, ShadowVectorResult& result,
   vtkIdType& photons, vtkIdType& traced)
 {
-  constexpr vtkIdType largest = 0xFFFFFFFFll; // indices of the Sobol sequence have 32 bits
+  constexpr vtkIdType largest = std::numeric_limits<vtkIdType>::max();
   const vtkIdType limit = std::min(target, largest / photonsPerVectorLimit) * photonsPerVectorLimit;
   double done = 0.0; // each range takes half of the progress that is left: nobody knows how many there will be
   const std::vector<vtkIdType>& indices = result.Vectors.PhotonIndices;
@@ -317,6 +371,21 @@ void KeepRange(std::vector<T>& values, std::size_t components, std::size_t begin
   values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(components * begin));
 }
 
+/// A photon stands for its part of what its own light sends.
+void SharePowers(
+  const std::vector<vtkIdType>& photonsOfLights, const std::vector<int>& lightIds, std::vector<float>& powers)
+{
+  std::vector<float> shares;
+  for (const vtkIdType photons : photonsOfLights)
+  {
+    shares.push_back(static_cast<float>(1.0 / static_cast<double>(std::max<vtkIdType>(photons, 1))));
+  }
+  for (std::size_t i = 0; i < powers.size(); ++i)
+  {
+    powers[i] *= shares[static_cast<std::size_t>(lightIds[i])];
+  }
+}
+
 /// Drop what photons outside [first, last) left behind.
 void KeepPhotons(ShadowVectorResult& result, vtkIdType first, vtkIdType last)
 {
@@ -336,6 +405,7 @@ void KeepPhotons(ShadowVectorResult& result, vtkIdType first, vtkIdType last)
     KeepRange(v.PathLengths, 1, begin, end);
     KeepRange(v.Thicknesses, 1, begin, end);
     KeepRange(v.PhotonIndices, 1, begin, end);
+    KeepRange(v.LightIds, 1, begin, end);
   }
   {
     PhotonPaths& p = result.Paths;
@@ -347,6 +417,7 @@ void KeepPhotons(ShadowVectorResult& result, vtkIdType first, vtkIdType last)
     KeepRange(p.Directions, 3, begin, end);
     KeepRange(p.Powers, 1, begin, end);
     KeepRange(p.PhotonIndices, 1, begin, end);
+    KeepRange(p.LightIds, 1, begin, end);
   }
   {
     ShadowPhotons& p = result.Photons;
@@ -358,6 +429,7 @@ void KeepPhotons(ShadowVectorResult& result, vtkIdType first, vtkIdType last)
     KeepRange(p.OccluderIds, 1, begin, end);
     KeepRange(p.ReceiverIds, 1, begin, end);
     KeepRange(p.PhotonIndices, 1, begin, end);
+    KeepRange(p.LightIds, 1, begin, end);
   }
 }
 
@@ -411,8 +483,14 @@ std::vector<bool> ClosedOccluders(const TriangleMeshView& mesh)
 bool TraceShadowVectors(const OccluderScene& scene, const Light& light, const ShadowVectorOptions& options,
   const Monitor& monitor, ShadowVectorResult& result)
 {
+  return TraceShadowVectors(scene, std::vector<Light>{ light }, options, monitor, result);
+}
+
+bool TraceShadowVectors(const OccluderScene& scene, const std::vector<Light>& lights,
+  const ShadowVectorOptions& options, const Monitor& monitor, ShadowVectorResult& result)
+{
   result = {};
-  const PhotonTracer tracer(scene, light, options);
+  const PhotonTracer tracer(scene, lights, options);
   vtkIdType photons = options.NumberOfPhotons;
   vtkIdType traced = 0;
   if (options.TargetNumberOfVectors > 0)
@@ -440,19 +518,9 @@ bool TraceShadowVectors(const OccluderScene& scene, const Light& light, const Sh
     traced = end - begin;
   }
   result.NumberOfPhotons = photons;
-
-  if (photons > 0)
-  {
-    const auto share = static_cast<float>(1.0 / static_cast<double>(photons));
-    for (float& power : result.Paths.Powers)
-    {
-      power *= share;
-    }
-    for (float& power : result.Photons.Powers)
-    {
-      power *= share;
-    }
-  }
+  result.PhotonsOfLights = tracer.PhotonsOfLights(photons);
+  SharePowers(result.PhotonsOfLights, result.Paths.LightIds, result.Paths.Powers);
+  SharePowers(result.PhotonsOfLights, result.Photons.LightIds, result.Photons.Powers);
   result.MeanSolidAngle = traced > 0 ? result.MeanSolidAngle / static_cast<double>(traced) : 0.0;
   return true;
 }

@@ -44,6 +44,7 @@ struct ShadowVectors
   std::vector<float> PathLengths;     ///< emission point to Points
   std::vector<float> Thicknesses;     ///< entry to exit; 0 on open sheets
   std::vector<vtkIdType> PhotonIndices;
+  std::vector<int> LightIds;
 };
 
 struct PhotonPaths
@@ -55,6 +56,7 @@ struct PhotonPaths
   std::vector<float> Directions;      ///< 3
   std::vector<float> Powers;          ///< W, mean over the wavelength samples: flux that the photon stands for
   std::vector<vtkIdType> PhotonIndices;
+  std::vector<int> LightIds;
 };
 
 struct ShadowPhotons
@@ -66,6 +68,7 @@ struct ShadowPhotons
   std::vector<int> OccluderIds; ///< of the occluder that casts the shadow
   std::vector<int> ReceiverIds; ///< occluder id of the surface that was reached
   std::vector<vtkIdType> PhotonIndices;
+  std::vector<int> LightIds;
 };
 
 struct ShadowVectorResult
@@ -74,14 +77,20 @@ struct ShadowVectorResult
   PhotonPaths Paths;
   ShadowPhotons Photons;
   vtkIdType NumberOfPhotons = 0; ///< emitted by all pieces together
+  std::vector<vtkIdType> PhotonsOfLights; ///< of these, one value a light
   double MeanSolidAngle = 0.0;   ///< sr, into which photons were aimed, mean over those traced
 };
 
 /**
  * Trace photons. Photon i is a pure function of (Seed, i): stratified over the light and over the directions towards the
  * occluders' bounds by a scrambled Sobol sequence. Every occluder along a path stores one vector.
- * @return false where aborted.
+ *
+ * Lights share the photons by power: see PhotonEmission::Power and LightShares. Each has the photons that it would have
+ * alone, but fewer; their powers make up for that. @return false where aborted.
  */
+SHADOWCONESCORE_EXPORT bool TraceShadowVectors(const OccluderScene& scene, const std::vector<Light>& lights,
+  const ShadowVectorOptions& options, const Monitor& monitor, ShadowVectorResult& result);
+/// The same for one light.
 SHADOWCONESCORE_EXPORT bool TraceShadowVectors(const OccluderScene& scene, const Light& light,
   const ShadowVectorOptions& options, const Monitor& monitor, ShadowVectorResult& result);
 

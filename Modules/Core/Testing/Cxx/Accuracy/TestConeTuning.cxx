@@ -11,7 +11,7 @@
 #include <array>
 #include <memory>
 #include <numeric>
-#include <stdexcept>
+#include <string>
 #include <utility>
 
 using namespace shadowcones;
@@ -253,14 +253,27 @@ TEST_F(TunedSlats, ChoiceIsNearTheBestOfRandomSets)
   }
 }
 
-TEST_F(TunedSlats, HeldOutPathsOfOneKindAreRefused)
+TEST_F(TunedSlats, HeldOutPathsOfOneKindGiveBoundsAndSaySo)
 {
-  std::vector<int> allLit(this->Traced.Paths.States.size(), 0);
-  PhotonPathView lit = this->Paths;
-  lit.States = allLit.data();
+  std::vector<int> states(this->Traced.Paths.States.size(), 0);
+  PhotonPathView paths = this->Paths;
+  paths.States = states.data();
   ConeTuningResult tuned;
-  EXPECT_THROW(
-    TuneConeSet(this->Vectors, lit, this->Extent, ConeTuning::Conservative, {}, {}, tuned), std::invalid_argument);
+  for (const ConeTuning kind : { ConeTuning::Conservative, ConeTuning::Preview, ConeTuning::Soft })
+  {
+    ASSERT_TRUE(TuneConeSet(this->Vectors, paths, this->Extent, kind, {}, {}, tuned));
+    EXPECT_NE(tuned.Lacking.find(" 0 are blocked"), std::string::npos) << tuned.Lacking;
+    EXPECT_EQ(tuned.NumberOfFits, 0);
+    EXPECT_EQ(tuned.Options.Leftovers, ConeLeftovers::Cover);
+    EXPECT_EQ(tuned.Options.Expansion, ConeExpansion::LightGeometry);
+  }
+  // Bounds need no lit path to learn from.
+  states.assign(states.size(), 1);
+  ASSERT_TRUE(TuneConeSet(this->Vectors, paths, this->Extent, ConeTuning::Conservative, {}, {}, tuned));
+  EXPECT_TRUE(tuned.Lacking.empty()) << tuned.Lacking;
+  EXPECT_GT(tuned.NumberOfFits, 1);
+  ASSERT_TRUE(TuneConeSet(this->Vectors, paths, this->Extent, ConeTuning::Soft, {}, {}, tuned));
+  EXPECT_NE(tuned.Lacking.find(" 0 are lit"), std::string::npos) << tuned.Lacking;
 }
 
 TEST_F(TunedSlats, AbortsAndReportsProgress)

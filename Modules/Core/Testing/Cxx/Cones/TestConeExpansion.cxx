@@ -175,6 +175,30 @@ TEST(PenumbraAngles, OfThePointAndTheSun)
   EXPECT_NEAR(sun.Inner, -0.00465, 1e-12);
 }
 
+TEST(PenumbraAngles, OfASunReachAsFarAsTheAxisIsTurned)
+{
+  // Every way that light takes away from the Sun lies within its radius of the middle one, which is 0.02 off the axis.
+  const Vector3 axis{ std::sin(0.02), 0.0, -std::cos(0.02) };
+  const Angles sun = Penumbra(LightExtentOf(SunLight(Down, 0.1)), {}, axis, 1.0);
+  EXPECT_NEAR(sun.Outer, 0.12, 1e-12);
+  EXPECT_NEAR(sun.Inner, -0.12, 1e-12);
+}
+
+TEST(PenumbraAngles, OfTheWholeSkyStayBelowARightAngle)
+{
+  for (const double radius : { 1.5, 1.57, Pi / 2.0 })
+  {
+    for (const Vector3& axis : { Down, Normalized(Vector3{ 0.5, 0.2, -1.0 }) })
+    {
+      const Angles sky = Penumbra(LightExtentOf(SunLight(Down, radius)), {}, axis, 0.5);
+      EXPECT_LT(static_cast<double>(static_cast<float>(sky.Outer)), Pi / 2.0);
+      EXPECT_GT(static_cast<double>(static_cast<float>(sky.Inner)), -Pi / 2.0);
+      EXPECT_GE(sky.Outer, std::min(radius, 1.56)); // a thousandth of the height still lies inside
+      EXPECT_TRUE(std::isfinite(std::tan(sky.Outer)));
+    }
+  }
+}
+
 TEST(PenumbraAngles, StayFiniteForALightBesideOrAroundTheBase)
 {
   for (const Light& light : { DiscLight({ 0.0, 0.0, 0.0 }, Down, 1.0), DiscLight({ 3.0, 0.0, -1.0 }, Down, 1.0),

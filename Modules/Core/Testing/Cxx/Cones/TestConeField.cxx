@@ -160,6 +160,17 @@ TEST(ConeField, GridClosesAtTheFacesOfItsBox)
   }
 }
 
+TEST(ConeField, ABoxWithoutVolumeHasNoGrid)
+{
+  const Box flat{ { -1.0, 2.0, 0.0 }, { 3.0, 2.0, 1.0 } };
+  const Box point{ { 1.0, 2.0, 3.0 }, { 1.0, 2.0, 3.0 } };
+  for (const Box& box : { flat, point, Box() })
+  {
+    EXPECT_EQ(GridOver(box, 40).NumberOfPoints(), 0);
+  }
+  EXPECT_EQ(GridOver({ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } }, 0).NumberOfPoints(), 0);
+}
+
 TEST(ConeField, SamplesAreDistancesNearTheSurface)
 {
   const auto cones = RandomCones(120, 1.0, 10);

@@ -371,6 +371,28 @@ TEST(ConeHierarchy, NamesTheConesAndOccludersAtAPoint)
   EXPECT_GT(several, 100);
 }
 
+TEST(ConeHierarchy, MarksGridsWithoutExtentAndMirroredOnes)
+{
+  const std::vector<Cone> cones = RandomCones(30, 61);
+  const ConeHierarchy hierarchy(cones, Room);
+  const std::array<int, 3> dimensions{ 11, 7, 5 };
+  const Vector3 size = Room.Size();
+  const Vector3 middle = Room.Center();
+  for (const Vector3& spacing : { Vector3{}, Vector3{ 0.0, size.Y / 12.0, size.Z / 8.0 },
+         Vector3{ -size.X / 22.0, size.Y / 14.0, -size.Z / 12.0 }, Vector3{ 1e-320, 0.0, 0.0 } })
+  {
+    std::vector<unsigned char> marks(11 * 7 * 5, 7);
+    ASSERT_TRUE(hierarchy.MarkGrid(middle, spacing, dimensions, {}, marks.data()));
+    for (int id = 0; id < 11 * 7 * 5; ++id)
+    {
+      const Vector3 point =
+        middle + Vector3{ spacing.X * (id % 11), spacing.Y * (id / 11 % 7), spacing.Z * (id / 77) };
+      EXPECT_EQ(marks[static_cast<std::size_t>(id)], hierarchy.Contains(point) ? 1 : 0)
+        << "spacing " << spacing.X << ", vertex " << id;
+    }
+  }
+}
+
 TEST(ConeHierarchy, MarksTheVerticesThatContainsFinds)
 {
   const std::vector<Cone> cones = RandomCones(30, 61);

@@ -482,7 +482,7 @@ TEST(ConeSetOccluder, IsThatOfMostVectors)
   ShadowVectorView view = vectors.View();
   view.OccluderIds = nullptr;
   ConeSet set;
-  ASSERT_TRUE(FitConeSet(view, {}, {}, Options(97, 8, 16, 20), {}, set));
+  ASSERT_TRUE(FitConeSet(view, {}, LightExtent(), Options(97, 8, 16, 20), {}, set));
   EXPECT_EQ(set.Cones.at(0).OccluderId, 0);
 }
 
@@ -559,6 +559,37 @@ TEST(ConeSetOverspill, IsTheShareOfLitPathsThroughTheBase)
   EXPECT_EQ(overspill(9.0, -3.0), 1.0); // blocked by something far behind the base: the base itself lets light through
 }
 
+TEST(ConeSetLeftovers, EveryVectorOfACableGetsACone)
+{
+  // Along a line the sectors are never even: the paper discards all of it.
+  Vectors cable;
+  for (int i = 0; i < 100; ++i)
+  {
+    cable.Add({ 0.1 * i, 0.0, 0.0 }, { 0.0, 0.0, -1.0 });
+  }
+  cable.Add({ 5.0, 400.0, 0.0 }, { 0.0, 0.0, -1.0 });
+  cable.Add({ 5.0, 0.05, 0.0 }, { 0.0, 0.0, -1.0 }, 7);
+  ConeSetOptions options = Options(20, 20, 8, 10);
+  EXPECT_EQ(Fit(cable, options).NumberOfDiscarded, cable.Count());
+  options.Leftovers = ConeLeftovers::Cover;
+  const ConeSet set = Fit(cable, options);
+  EXPECT_EQ(set.NumberOfDiscarded, 0);
+  ASSERT_GE(set.Cones.size(), 12u);
+  EXPECT_LE(set.Cones.size(), 24u);
+  for (vtkIdType i = 0; i < cable.Count(); ++i)
+  {
+    ASSERT_GE(set.ConeIds[i], 0) << i;
+    const Cone& cone = set.Cones[set.ConeIds[i]];
+    const Vector3 offset = cable.Point(i) - cone.Center;
+    EXPECT_GE(offset.Z, -1e-12 - 1e-7) << i;
+    EXPECT_LE(std::hypot(offset.X, offset.Y), cone.BaseRadius + 1e-9) << i;
+    // Ten neighbours on a line reach half a unit to a side, or 0.9 at an end; none reaches across the gap of 400.
+    EXPECT_LE(cone.BaseRadius, 0.91) << i;
+  }
+  EXPECT_EQ(set.Cones[set.ConeIds[100]].BaseRadius, 0.0);
+  EXPECT_EQ(set.Cones[set.ConeIds[101]].OccluderId, 7);
+}
+
 TEST(ConeSetMonitor, AbortStopsAndProgressGrowsToOne)
 {
   const Vectors vectors = RandomPatch(20000);
@@ -566,13 +597,13 @@ TEST(ConeSetMonitor, AbortStopsAndProgressGrowsToOne)
   Monitor monitor;
   monitor.Progress = [&](double share) { seen.push_back(share); };
   ConeSet set;
-  ASSERT_TRUE(FitConeSet(vectors.View(), {}, {}, ConeSetOptions(), monitor, set));
+  ASSERT_TRUE(FitConeSet(vectors.View(), {}, LightExtent(), ConeSetOptions(), monitor, set));
   EXPECT_GT(seen.size(), 5u);
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   EXPECT_EQ(seen.back(), 1.0);
   seen.clear();
   monitor.Aborted = [&] { return seen.size() >= 2; };
-  EXPECT_FALSE(FitConeSet(vectors.View(), {}, {}, ConeSetOptions(), monitor, set));
+  EXPECT_FALSE(FitConeSet(vectors.View(), {}, LightExtent(), ConeSetOptions(), monitor, set));
   EXPECT_EQ(seen.size(), 2u);
 }
 
@@ -592,8 +623,21 @@ TEST(ConeSetOptions, AreCheckedOneByOne)
   EXPECT_NE(fault([](auto& o) { o.PointsPerRing = 0; }).find("PointsPerRing"), std::string::npos);
   EXPECT_NE(fault([](auto& o) { o.MinimumVectorsPerCone = 0; }).find("MinimumVectorsPerCone"), std::string::npos);
   EXPECT_NE(fault([](auto& o) { o.NumberOfNeighbors = 19; }).find("p1"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.NumberOfNeighbors = 536870912; }).find("3..1000000"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.NumberOfSectors = 2147483647; }).find("1..65536"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.RadiusScale = HUGE_VAL; }).find("finite"), std::string::npos);
+  // A ring of 99 fits beside the seed among 100 neighbours, one of 100 does not.
+  EXPECT_EQ(fault([](auto& o) { o.PointsPerRing = 99; }), "");
+  EXPECT_NE(fault([](auto& o) { o.PointsPerRing = 100; }).find("must be below NumberOfNeighbors"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.PointsPerRing = 2147483647; }).find("must be below"), std::string::npos);
+  // One ring of 60 and the seed are 61 vectors; a second ring does not fit.
+  const auto sixty = [&](int least)
+  { return fault([least](auto& o) { o.PointsPerRing = 60, o.MinimumVectorsPerCone = least; }); };
+  EXPECT_EQ(sixty(61), "");
+  EXPECT_NE(sixty(62).find("no cone could ever hold enough vectors"), std::string::npos);
   EXPECT_NE(fault([=](auto& o) { o.VarianceThreshold = nan; }).find("VarianceThreshold"), std::string::npos);
   EXPECT_NE(fault([](auto& o) { o.PlanarityThreshold = -0.1; }).find("PlanarityThreshold"), std::string::npos);
   EXPECT_NE(fault([](auto& o) { o.ExpansionFraction = 1.1; }).find("ExpansionFraction"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.Leftovers = static_cast<ConeLeftovers>(2); }).find("Leftovers"), std::string::npos);
   EXPECT_NE(fault([](auto& o) { o.Expansion = static_cast<ConeExpansion>(3); }).find("Expansion"), std::string::npos);
 }

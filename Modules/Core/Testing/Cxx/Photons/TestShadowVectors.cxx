@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What photons leave behind: exact exits of boxes, sheets, receivers, and the power that they carry.
 #include "SmallMeshes.h"
+#include "scPhotonEmission.h"
 #include "scShadowVectors.h"
 
 #include <gtest/gtest.h>
@@ -655,4 +656,22 @@ TEST(ClosedOccluders, NeedEveryEdgeBothWays)
   EXPECT_FALSE(closed[0]);
   EXPECT_FALSE(closed[11]);
   EXPECT_TRUE(closed.back());
+}
+
+TEST(PhotonEmission, PhotonsBeyondTheFirstFourThousandMillionAreOthers)
+{
+  // The index has more bits than the Sobol sequence: 2^32 photons later nothing may repeat.
+  Mesh mesh;
+  mesh.AddBox({ -1.0, -1.0, 0.0 }, { 1.0, 1.0, 1.0 }, 0);
+  const Light light = smallmeshes::DiscLight({ 0.0, 0.0, 5.0 }, { 0.0, 0.0, -1.0 }, 0.5);
+  const PhotonEmission emission(light, mesh.View());
+  for (const vtkIdType later : { vtkIdType(1) << 32, vtkIdType(1) << 40 })
+  {
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      const EmittedPhoton first = emission.Emit(1, i);
+      const EmittedPhoton other = emission.Emit(1, i + later);
+      EXPECT_GT(Length(first.Origin - other.Origin) + Length(first.Direction - other.Direction), 1e-3) << later;
+    }
+  }
 }
