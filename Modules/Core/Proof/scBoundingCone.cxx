@@ -2,7 +2,7 @@
 #include "scBoundingCone.h"
 
 #include <algorithm>
-#include <array>
+#include <cstdlib>
 #include <limits>
 
 namespace shadowcones
@@ -16,17 +16,22 @@ double AngleBetween(const Vector3& a, const Vector3& b)
   return std::atan2(Length(Cross(a, b)), Dot(a, b));
 }
 
-/// As readers of a stored axis see it.
-Vector3 StoredAxis(const Vector3& axis)
-{
-  return Normalized({ static_cast<float>(axis.X), static_cast<float>(axis.Y), static_cast<float>(axis.Z) });
-}
-
 /// The float at or above a value and above its rounding errors.
 double StoredAbove(double value)
 {
   return std::nextafter(
-    static_cast<float>(value * (1.0 + 1e-12)), std::numeric_limits<float>::infinity());
+    static_cast<float>(RoundToSingle(value * (1.0 + 1e-12))), std::numeric_limits<float>::infinity());
+}
+
+/// The value in single precision, some of its neighbours further.
+double Stepped(double value, int steps)
+{
+  auto stepped = static_cast<float>(RoundToSingle(value));
+  for (int i = 0; i < std::abs(steps); ++i)
+  {
+    stepped = std::nextafter(stepped, steps > 0 ? 2.0f : -2.0f);
+  }
+  return stepped;
 }
 
 /// A point in the plane across the axis with the radius of a circle around it, negative where the cone widens up to it.
@@ -109,9 +114,36 @@ Vector3 MeanDirection(const std::vector<LightPart>& parts, const std::vector<Hel
     const LightPart& part = parts[held.Part];
     directions.Add(part.AtInfinity ? part.Center : Normalized(held.Point - part.Center));
   }
-  return StoredAxis(Normalized(directions.Center()));
+  return StoredDirection(Normalized(directions.Center()));
 }
 } // anonymous namespace
+
+Vector3 StoredDirection(const Vector3& direction)
+{
+  const auto read = [](const Vector3& v) {
+    return Normalized({ RoundToSingle(v.X), RoundToSingle(v.Y), RoundToSingle(v.Z) });
+  };
+  const auto stays = [&read](const Vector3& v) {
+    const Vector3 again = read(v);
+    return again.X == v.X && again.Y == v.Y && again.Z == v.Z;
+  };
+  // Normalising what was rounded may round otherwise the next time: look among the neighbours in single precision.
+  for (const int x : { 0, 1, -1, 2, -2 })
+  {
+    for (const int y : { 0, 1, -1, 2, -2 })
+    {
+      for (const int z : { 0, 1, -1, 2, -2 })
+      {
+        const Vector3 near = read({ Stepped(direction.X, x), Stepped(direction.Y, y), Stepped(direction.Z, z) });
+        if (stays(near))
+        {
+          return near;
+        }
+      }
+    }
+  }
+  return read(direction);
+}
 
 BoundingCone::BoundingCone(const Cone& cone)
   : Center(cone.Center)
@@ -197,7 +229,7 @@ double NeededAngle(const LightPart& part, const Vector3& axis, const Vector3& po
 
 bool ConeAround(const std::vector<LightPart>& parts, const std::vector<HeldPoint>& points, const Cone* core, Cone& cone)
 {
-  cone.Axis = StoredAxis(core ? core->Axis : MeanDirection(parts, points));
+  cone.Axis = StoredDirection(core ? core->Axis : MeanDirection(parts, points));
   double angle = core ? std::max(0.0, core->HalfAngle) : 0.0;
   double front = core ? Dot(core->Center, cone.Axis) : HUGE_VAL;
   Cone probe = cone;

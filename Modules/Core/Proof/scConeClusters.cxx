@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scConeClusters.h"
 
-#include "scRandom.h"
+#include "scVolumeSample.h"
 
 #include <algorithm>
 #include <map>
@@ -12,102 +12,13 @@ namespace shadowcones
 {
 namespace
 {
+using Mask = VolumeSample::Mask;
+
 constexpr int mostClusters = 384;       ///< before any join
 constexpr std::size_t mostHeld = 40;    ///< points that stand for a cluster while clusters join
 constexpr int neighborsPerCluster = 8;
 constexpr int givenPerCluster = 6;      ///< given cones that a cluster may join
-constexpr std::uint32_t drawnPoints = 16384; ///< in the region, of which those near cones are kept
-constexpr std::size_t mostPoints = 4096;
 constexpr double volumeWeight = 1e-3; ///< of the cones' own volume, where the sample points see no difference
-
-/// 1 for each sample point that is held, else 0.
-using Mask = std::vector<unsigned char>;
-
-/// Sample points near cones, and which of them cones hold. Single precision will do: nothing is proved here.
-class VolumeSample
-{
-public:
-  VolumeSample(const Box& region, const std::vector<Cone>& cones)
-  {
-    this->Draw(region);
-    std::vector<Mask> near(cones.size());
-    ParallelFor(static_cast<vtkIdType>(cones.size()), {}, [&](vtkIdType first, vtkIdType last) {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        Cone wide = cones[i];
-        wide.Center = wide.Center - wide.BaseRadius * wide.Axis;
-        wide.BaseRadius *= 2.0;
-        wide.HalfAngle = std::min(largestProvedAngle, std::max(0.0, 1.25 * wide.HalfAngle) + 0.02);
-        near[i] = this->MaskOf(wide);
-      }
-    });
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < this->X.size() && kept < mostPoints; ++i)
-    {
-      if (std::any_of(near.begin(), near.end(), [i](const Mask& mask) { return mask[i] != 0; }))
-      {
-        this->X[kept] = this->X[i];
-        this->Y[kept] = this->Y[i];
-        this->Z[kept++] = this->Z[i];
-      }
-    }
-    this->X.resize(kept);
-    this->Y.resize(kept);
-    this->Z.resize(kept);
-  }
-
-  Mask MaskOf(const Cone& cone) const
-  {
-    Mask mask(this->X.size());
-    const auto ax = static_cast<float>(cone.Axis.X);
-    const auto ay = static_cast<float>(cone.Axis.Y);
-    const auto az = static_cast<float>(cone.Axis.Z);
-    const auto cx = static_cast<float>(cone.Center.X);
-    const auto cy = static_cast<float>(cone.Center.Y);
-    const auto cz = static_cast<float>(cone.Center.Z);
-    const auto radius = static_cast<float>(cone.BaseRadius);
-    const auto tangent = static_cast<float>(std::tan(cone.HalfAngle));
-    for (std::size_t i = 0; i < mask.size(); ++i)
-    {
-      const float x = this->X[i] - cx;
-      const float y = this->Y[i] - cy;
-      const float z = this->Z[i] - cz;
-      const float height = x * ax + y * ay + z * az;
-      const float reach = radius + height * tangent;
-      const float across = x * x + y * y + z * z - height * height;
-      mask[i] = static_cast<unsigned char>((height >= 0.0f) & (reach >= 0.0f) & (across <= reach * reach));
-    }
-    return mask;
-  }
-
-private:
-  void Draw(const Box& region)
-  {
-    const Vector3 size = region.Size();
-    for (std::uint32_t i = 0; i < drawnPoints; ++i)
-    {
-      const auto u = SobolPoint(7, i);
-      this->X.push_back(static_cast<float>(region.Min.X + u[0] * size.X));
-      this->Y.push_back(static_cast<float>(region.Min.Y + u[1] * size.Y));
-      this->Z.push_back(static_cast<float>(region.Min.Z + u[2] * size.Z));
-    }
-  }
-
-  std::vector<float> X;
-  std::vector<float> Y;
-  std::vector<float> Z;
-};
-
-/// Points of @p mask that are not in @p other.
-int CountBeyond(const Mask& mask, const Mask& other)
-{
-  int count = 0;
-  for (std::size_t i = 0; i < mask.size(); ++i)
-  {
-    count += mask[i] & (other[i] ^ 1);
-  }
-  return count;
-}
 
 /// Volume of a cone from its base to where its axis leaves the region.
 double VolumeIn(const Box& region, const Cone& cone)
@@ -369,8 +280,9 @@ public:
     , Given(given)
     , Options(options)
     , Clusters(clusters)
-    , Sample(options.Region, ConesOf(clusters))
+    , Sample(options.Region)
   {
+    this->Sample.KeepNear(ConesOf(clusters));
     this->Union = this->Sample.MaskOf(clusters.front().Bound);
     for (Cluster& cluster : clusters)
     {
@@ -546,10 +458,8 @@ private:
       return false;
     }
     this->Complete(joint);
-    const double cell = 1.0 / std::max(1.0, this->Options.Region.Size().X * this->Options.Region.Size().Y *
-                                         this->Options.Region.Size().Z / drawnPoints);
     join.Cost = CountBeyond(joint.Points, this->Union) +
-      volumeWeight * cell * std::max(0.0, joint.Volume - std::max(a.Volume, b.Volume));
+      volumeWeight * std::max(0.0, joint.Volume - std::max(a.Volume, b.Volume)) / this->Sample.VolumeOfPoint();
     return true;
   }
 
@@ -673,7 +583,12 @@ bool HoldParts(const OccluderParts& mesh, const std::vector<OccluderPart>& parts
     cluster.Bound.OccluderId = cluster.Occluder;
     if (cluster.Given >= 0)
     {
-      result.Cones[cluster.Given] = cluster.Bound;
+      Cone grown = given[cluster.Given];
+      grown.Center = cluster.Bound.Center;
+      grown.Axis = cluster.Bound.Axis;
+      grown.BaseRadius = cluster.Bound.BaseRadius;
+      grown.HalfAngle = cluster.Bound.HalfAngle;
+      result.Cones[cluster.Given] = grown;
       result.Grown[cluster.Given] = 1;
     }
     else

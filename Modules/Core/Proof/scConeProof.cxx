@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scConeProof.h"
 
+#include "scBoundingCone.h"
 #include "scConeClusters.h"
+#include "scConeIntervals.h"
 #include "scOccluderParts.h"
+#include "scRandom.h"
+#include "scVolumeSample.h"
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 
 namespace shadowcones
@@ -34,16 +39,73 @@ Box Grown(const Box& box, double margin)
   return { box.Min - Vector3{ margin, margin, margin }, box.Max + Vector3{ margin, margin, margin } };
 }
 
-/// A cone that holds a box.
-Cone ConeAroundBox(const Box& box)
+/// One word for some values, in their order.
+class ValueHash
 {
-  Cone cone;
-  cone.Axis = { 0.0, 0.0, 1.0 };
-  cone.Normal = cone.Axis;
-  cone.Center = { box.Center().X, box.Center().Y, box.Min.Z };
-  cone.BaseRadius = 0.51 * std::hypot(box.Size().X, box.Size().Y);
-  cone.InnerHalfAngle = -largestProvedAngle;
-  return StoredCone(cone);
+public:
+  void Add(double value)
+  {
+    std::uint64_t bits = 0;
+    value += 0.0; // -0 is 0
+    std::memcpy(&bits, &value, sizeof(bits));
+    this->Word = HashSeed(this->Word, bits);
+  }
+  void Add(const Vector3& v)
+  {
+    this->Add(v.X);
+    this->Add(v.Y);
+    this->Add(v.Z);
+  }
+
+  std::uint64_t Word = 0;
+};
+
+std::uint64_t HashOf(const Vector3& v)
+{
+  ValueHash hash;
+  hash.Add(v);
+  return hash.Word;
+}
+
+/// The same for any order of triangles and of the corners of each.
+std::uint64_t HashOfCasters(const TriangleMeshView& mesh)
+{
+  std::uint64_t sum = 0;
+  for (vtkIdType i = 0; i < mesh.NumberOfTriangles; ++i)
+  {
+    if (mesh.OccluderId(i) >= 0)
+    {
+      sum += Mix64(HashOf(mesh.Corner(i, 0)) + HashOf(mesh.Corner(i, 1)) + HashOf(mesh.Corner(i, 2)));
+    }
+  }
+  return sum;
+}
+
+std::uint64_t HashOfLight(const Light& light)
+{
+  ValueHash hash;
+  hash.Add(static_cast<double>(static_cast<int>(light.Shape)));
+  if (light.Shape == LightShape::Mesh)
+  {
+    for (const auto& triangle : light.Triangles)
+    {
+      for (const Vector3& corner : triangle)
+      {
+        hash.Add(corner);
+      }
+    }
+    for (std::size_t i = 0; light.Triangles.empty() && i < light.Vertices.size(); ++i)
+    {
+      hash.Add(light.Vertices[i]);
+    }
+    return hash.Word;
+  }
+  hash.Add(light.Shape == LightShape::Sun ? Vector3{} : light.Center);
+  hash.Add(light.Shape == LightShape::Point || light.Shape == LightShape::Sphere ? Vector3{} : light.Normal);
+  hash.Add(light.Shape == LightShape::Rectangle ? light.AxisU : Vector3{});
+  hash.Add(light.Shape == LightShape::Rectangle ? light.AxisV : Vector3{});
+  hash.Add(light.Shape == LightShape::Point || light.Shape == LightShape::Rectangle ? 0.0 : light.Radius);
+  return hash.Word;
 }
 
 /// What a cone that was grown or added is for the consumers of its other values.
@@ -53,84 +115,144 @@ void Describe(const LightExtent& light, Cone& cone)
   double outer = 0.0;
   PenumbraAngles(light, cone.Center, cone.Axis, cone.BaseRadius, outer, cone.InnerHalfAngle);
 }
+/// Make the proof hold for one light, by the cones of that light alone.
+bool ProveLight(const TriangleMeshView& mesh, const Light& light, int id, ClusterOptions options, const Monitor& monitor,
+  std::set<int>& withoutCone, ConeProof& proof)
+{
+  std::vector<Cone> own;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < proof.Cones.size(); ++i)
+  {
+    if (proof.Cones[i].LightId == id)
+    {
+      own.push_back(proof.Cones[i]);
+      places.push_back(i);
+    }
+  }
+  options.LargestNumber = options.LargestNumber > 0 ? options.LargestNumber
+    : own.empty()                                   ? addedWithoutGiven
+                                                    : std::max(fewestAdded, static_cast<int>(own.size()));
+  const OccluderParts parts(mesh, light, ProofMarginsOf(CastersBounds(mesh)));
+  std::vector<OccluderPart> unproved;
+  vtkIdType proved = 0;
+  ClusterResult clusters;
+  if (!parts.FindUnproved(own, monitor.Part(0.0, 0.4), unproved, proved) ||
+    !HoldParts(parts, unproved, own, options, monitor.Part(0.4, 1.0), clusters))
+  {
+    return false;
+  }
+  const LightExtent extent = LightExtentOf(light);
+  for (std::size_t i = 0; i < clusters.Cones.size(); ++i)
+  {
+    Cone cone = clusters.Cones[i];
+    cone.LightId = id;
+    if (i >= own.size())
+    {
+      cone.Origin = ConeOrigin::Added;
+      Describe(extent, cone);
+      proof.Cones.push_back(cone);
+    }
+    else if (clusters.Grown[i])
+    {
+      cone.Origin = ConeOrigin::Grown;
+      Describe(extent, cone);
+      proof.Cones[places[i]] = cone;
+    }
+  }
+  for (const OccluderPart& part : clusters.WithoutCone)
+  {
+    withoutCone.insert(mesh.OccluderId(part.Triangle));
+  }
+  proof.NumberOfProvedParts += proved + static_cast<vtkIdType>(unproved.size() - clusters.WithoutCone.size());
+  return true;
+}
 } // anonymous namespace
 
 Cone StoredCone(const Cone& cone)
 {
-  const auto stored = [](double x) { return static_cast<double>(static_cast<float>(x)); };
-  const auto direction = [&stored](const Vector3& v) { return Normalized({ stored(v.X), stored(v.Y), stored(v.Z) }); };
   Cone result = cone;
-  result.Axis = direction(cone.Axis);
-  result.Normal = direction(cone.Normal);
-  result.BaseRadius = stored(cone.BaseRadius);
-  result.HalfAngle = stored(cone.HalfAngle);
-  result.InnerHalfAngle = stored(cone.InnerHalfAngle);
-  result.Planarity = stored(cone.Planarity);
-  result.Overspill = stored(cone.Overspill);
+  result.Axis = StoredDirection(cone.Axis);
+  result.Normal = StoredDirection(cone.Normal);
+  result.BaseRadius = RoundToSingle(cone.BaseRadius);
+  result.HalfAngle = RoundToSingle(cone.HalfAngle);
+  result.InnerHalfAngle = RoundToSingle(cone.InnerHalfAngle);
+  result.Planarity = RoundToSingle(cone.Planarity);
+  result.Overspill = RoundToSingle(cone.Overspill);
   return result;
 }
 
-bool ProveConeSet(const TriangleMeshView& mesh, const Light& light, const std::vector<Cone>& given,
+bool IsTighter(const ConeProof& a, const ConeProof& b)
+{
+  constexpr double alike = 0.01;
+  return std::abs(a.Volume - b.Volume) > alike * std::max(a.Volume, b.Volume) ? a.Volume < b.Volume
+                                                                             : a.Cones.size() < b.Cones.size();
+}
+
+std::uint64_t CertificateHash(const std::vector<Cone>& cones, const TriangleMeshView& mesh, const std::vector<Light>& lights)
+{
+  ValueHash hash;
+  for (const Cone& cone : cones)
+  {
+    const Cone stored = StoredCone(cone);
+    hash.Add(stored.Center);
+    hash.Add(stored.Axis);
+    hash.Add(stored.BaseRadius);
+    hash.Add(stored.HalfAngle);
+    hash.Add(static_cast<double>(stored.LightId));
+  }
+  std::uint64_t word = HashSeed(hash.Word, HashOfCasters(mesh));
+  for (const Light& light : lights)
+  {
+    word = HashSeed(word, HashOfLight(light));
+  }
+  return word;
+}
+
+bool ProveConeSet(const TriangleMeshView& mesh, const std::vector<Light>& lights, const std::vector<Cone>& given,
   const ConeProofOptions& options, const Monitor& monitor, ConeProof& proof)
 {
   proof = {};
   for (const Cone& cone : given)
   {
     proof.Cones.push_back(StoredCone(cone));
+    proof.Cones.back().Origin = ConeOrigin::Fitted;
   }
-  proof.Origins.assign(given.size(), ConeOrigin::Fitted);
   const Box casters = CastersBounds(mesh);
   if (casters.Empty())
   {
     proof.Certified = true;
     return true;
   }
-  const OccluderParts parts(mesh, light, ProofMarginsOf(MeshBounds(mesh)));
-  std::vector<OccluderPart> unproved;
-  if (!parts.FindUnproved(proof.Cones, monitor.Part(0.0, 0.4), unproved, proof.NumberOfProvedParts))
+  ClusterOptions clusters;
+  clusters.Region = options.Region.Empty() ? Grown(casters, 0.5 * casters.Diagonal()) : options.Region;
+  clusters.LargestNumber = options.LargestNumberOfAddedCones;
+  std::set<int> withoutCone;
+  const double share = 1.0 / std::max<double>(1.0, static_cast<double>(lights.size()));
+  for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    return false;
-  }
-  proof.NumberOfProvedParts += static_cast<vtkIdType>(unproved.size());
-
-  ClusterOptions clusterOptions;
-  clusterOptions.Region = options.Region.Empty() ? Grown(casters, 0.5 * casters.Diagonal()) : options.Region;
-  clusterOptions.LargestNumber = options.LargestNumberOfAddedCones > 0 ? options.LargestNumberOfAddedCones
-    : given.empty() ? addedWithoutGiven : std::max(fewestAdded, static_cast<int>(given.size()));
-  ClusterResult clusters;
-  if (!HoldParts(parts, unproved, proof.Cones, clusterOptions, monitor.Part(0.4, 1.0), clusters))
-  {
-    return false;
-  }
-  const LightExtent extent = LightExtentOf(light);
-  proof.Cones = clusters.Cones;
-  proof.Origins.resize(proof.Cones.size(), ConeOrigin::Added);
-  for (std::size_t i = 0; i < proof.Cones.size(); ++i)
-  {
-    if (i < given.size() && clusters.Grown[i])
+    const double begin = static_cast<double>(i) * share;
+    if (!ProveLight(mesh, lights[i], static_cast<int>(i), clusters, monitor.Part(begin, begin + share), withoutCone, proof))
     {
-      proof.Origins[i] = ConeOrigin::Grown;
-      ++proof.NumberOfGrownCones;
-    }
-    if (proof.Origins[i] != ConeOrigin::Fitted)
-    {
-      Describe(extent, proof.Cones[i]);
+      return false;
     }
   }
-  std::set<int> occluders;
-  for (const OccluderPart& part : clusters.WithoutCone)
+  proof.NumberOfOccludersWithoutCone = static_cast<vtkIdType>(withoutCone.size());
+  if (!withoutCone.empty())
   {
-    occluders.insert(mesh.OccluderId(part.Triangle));
+    proof.CertifiedBounds = Grown(clusters.Region, heldMargin * clusters.Region.Diagonal());
+    for (std::size_t i = 0; i < lights.size(); ++i)
+    {
+      proof.Cones.push_back(StoredCone(ConeAroundBox(proof.CertifiedBounds)));
+      proof.Cones.back().Origin = ConeOrigin::Added;
+      proof.Cones.back().LightId = static_cast<int>(i);
+    }
   }
-  proof.NumberOfOccludersWithoutCone = static_cast<vtkIdType>(occluders.size());
-  proof.NumberOfProvedParts -= static_cast<vtkIdType>(clusters.WithoutCone.size());
-  if (!occluders.empty())
+  for (const Cone& cone : proof.Cones)
   {
-    proof.CertifiedBounds = Grown(clusterOptions.Region, heldMargin * clusterOptions.Region.Diagonal());
-    proof.Cones.push_back(ConeAroundBox(proof.CertifiedBounds));
-    proof.Origins.push_back(ConeOrigin::Added);
+    proof.NumberOfGrownCones += cone.Origin == ConeOrigin::Grown ? 1 : 0;
+    proof.NumberOfAddedCones += cone.Origin == ConeOrigin::Added ? 1 : 0;
   }
-  proof.NumberOfAddedCones = static_cast<vtkIdType>(proof.Cones.size() - given.size());
+  proof.Volume = VolumeSample(clusters.Region).VolumeOf(proof.Cones);
   proof.Certified = true;
   return true;
 }

@@ -18,19 +18,11 @@
 namespace shadowcones
 {
 
-/// Values of the array "ConeOrigin".
-enum class ConeOrigin : int
-{
-  Fitted = 0, ///< as it was given
-  Grown = 1,  ///< a given cone, larger
-  Added = 2   ///< around parts of occluders
-};
-
 struct ConeProofOptions
 {
   /// The box in which the cones' volume is to stay small; empty: the bounds of the casters, half of their diagonal wider.
   Box Region;
-  /// Cones to add at most, where their half angles allow it; 0: as many as are given, and at least 16; without given cones 140.
+  /// Cones to add at most for a light, where their half angles allow it; 0: as many as are given, and at least 16; without given cones 140.
   int LargestNumberOfAddedCones = 0;
 };
 
@@ -38,7 +30,6 @@ struct ConeProofOptions
 struct ConeProof
 {
   std::vector<Cone> Cones; ///< the given ones in their order, then added ones; values as they are stored (StoredCone)
-  std::vector<ConeOrigin> Origins;
   bool Certified = false;
   /// Where it holds; empty: everywhere. Outside of it shadow may be anywhere.
   Box CertifiedBounds;
@@ -46,16 +37,23 @@ struct ConeProof
   vtkIdType NumberOfGrownCones = 0;
   vtkIdType NumberOfAddedCones = 0;
   vtkIdType NumberOfOccludersWithoutCone = 0; ///< that touch the light, or see too wide a Sun: a cone holds CertifiedBounds then
-  double Volume = 0.0;                        ///< of the union of the cones in the region, estimated
+  double Volume = 0.0;                        ///< of the union of the cones in the region, by 16,384 points
 };
 
 /**
  * Cut the casting triangles into parts, see which of the given cones hold which part with all its shadow, and let cones grow or
- * add new ones for the others. See Documentation for what is proved. Cost is near-linear in the number of triangles. The same
+ * add new ones for the others, a light at a time: cones of that LightId alone count. Cost is near-linear in the number of triangles. The same
  * result for any number of threads. @return false where aborted.
  */
-SHADOWCONESCORE_EXPORT bool ProveConeSet(const TriangleMeshView& mesh, const Light& light, const std::vector<Cone>& given,
-  const ConeProofOptions& options, const Monitor& monitor, ConeProof& proof);
+SHADOWCONESCORE_EXPORT bool ProveConeSet(const TriangleMeshView& mesh, const std::vector<Light>& lights,
+  const std::vector<Cone>& given, const ConeProofOptions& options, const Monitor& monitor, ConeProof& proof);
+
+/// Does the union of the cones of @p a have the smaller Volume? Where they differ by less than a hundredth: has it fewer cones?
+SHADOWCONESCORE_EXPORT bool IsTighter(const ConeProof& a, const ConeProof& b);
+
+/// One word for what was proved: cones as they are stored, casting triangles in any order, and the lights without their spectra.
+SHADOWCONESCORE_EXPORT std::uint64_t CertificateHash(
+  const std::vector<Cone>& cones, const TriangleMeshView& mesh, const std::vector<Light>& lights);
 
 /// A cone as it is read back from arrays in single precision.
 SHADOWCONESCORE_EXPORT Cone StoredCone(const Cone& cone);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scConeProofCheck.h"
 
+#include "scLampPlane.h"
+
 #include <algorithm>
 #include <atomic>
 #include <limits>
@@ -71,6 +73,19 @@ std::vector<Hull> HullsOf(const Light& light)
   return faces;
 }
 
+Box CastersBounds(const TriangleMeshView& mesh)
+{
+  Box bounds;
+  for (vtkIdType i = 0; i < 3 * mesh.NumberOfTriangles; ++i)
+  {
+    if (mesh.OccluderId(i / 3) >= 0)
+    {
+      bounds.Add(mesh.Corner(i / 3, static_cast<int>(i % 3)));
+    }
+  }
+  return bounds;
+}
+
 class Checker
 {
 public:
@@ -79,7 +94,7 @@ public:
     , Cones(cones)
     , Hulls(HullsOf(light))
   {
-    const Box bounds = MeshBounds(mesh);
+    const Box bounds = CastersBounds(mesh);
     this->Middle = bounds.Empty() ? Vector3{} : bounds.Center();
     this->Diagonal = bounds.Diagonal();
   }
@@ -138,7 +153,7 @@ private:
       return lit;
     }
     const auto height = [&](const Vector3& p) {
-      return hull.Flat ? Dot(p - hull.Extremes[0], hull.Normal) - 2e-6 * this->Diagonal : 1.0;
+      return hull.Flat ? Dot(p - hull.Extremes[0], hull.Normal) : 1.0;
     };
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -207,7 +222,7 @@ private:
 /// Does one cone hold a box, which it does where it holds its corners?
 bool BoxIsHeld(const Box& box, const TriangleMeshView& mesh, const std::vector<Cone>& cones)
 {
-  const Box casters = MeshBounds(mesh);
+  const Box casters = CastersBounds(mesh);
   return box.Contains(casters.Min) && box.Contains(casters.Max) &&
     std::any_of(cones.begin(), cones.end(), [&box](const Cone& cone) {
       bool held = cone.HalfAngle >= 0.0;
@@ -232,6 +247,7 @@ bool CheckConeProof(const TriangleMeshView& mesh, const Light& light, const std:
     check.Proved = BoxIsHeld(heldBox, mesh, cones);
     return true;
   }
+  const FlatFace face = FlatFaceOf(light); // what the ray engine passes by
   constexpr vtkIdType chunk = 64;
   const vtkIdType chunks = (mesh.NumberOfTriangles + chunk - 1) / chunk;
   std::vector<ConeProofCheck> answers(static_cast<std::size_t>(chunks));
@@ -244,6 +260,7 @@ bool CheckConeProof(const TriangleMeshView& mesh, const Light& light, const std:
       for (vtkIdType i = c * chunk; i < std::min(mesh.NumberOfTriangles, (c + 1) * chunk); ++i)
       {
         if (mesh.OccluderId(i) >= 0 &&
+          !IsFlush(face, mesh.Corner(i, 0), mesh.Corner(i, 1), mesh.Corner(i, 2)) &&
           !checker.PartIsHeld({ mesh.Corner(i, 0), mesh.Corner(i, 1), mesh.Corner(i, 2) }, 0))
         {
           checker.Answer.Triangle = i;

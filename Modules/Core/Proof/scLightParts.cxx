@@ -162,7 +162,7 @@ std::vector<LightPart> LightPartsOf(const Light& light)
   return { part };
 }
 
-Polygon InFrontOf(const LightPart& part, const std::array<Vector3, 3>& triangle, double tolerance)
+Polygon InFrontOf(const LightPart& part, const std::array<Vector3, 3>& triangle)
 {
   Polygon polygon;
   const auto inside = [&part](const Vector3& p) { return Length(p - part.Center) <= part.Radius; };
@@ -173,7 +173,7 @@ Polygon InFrontOf(const LightPart& part, const std::array<Vector3, 3>& triangle,
   std::array<double, 3> heights{};
   for (int i = 0; i < 3; ++i)
   {
-    heights[i] = part.OneSided ? Dot(triangle[i] - part.Center, part.Normal) - tolerance : 1.0;
+    heights[i] = part.OneSided ? Dot(triangle[i] - part.Center, part.Normal) : 1.0;
   }
   for (int i = 0; i < 3; ++i)
   {

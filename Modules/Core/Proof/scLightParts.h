@@ -43,10 +43,10 @@ struct Polygon
 };
 
 /**
- * What of a triangle the part shines on: what lies higher than @p tolerance over the plane of a one-sided part; nothing of
- * a triangle inside a sphere; else the triangle.
+ * What of a triangle the part shines on: what lies over the plane of a one-sided part; nothing of a triangle inside a sphere;
+ * else the triangle.
  */
-Polygon InFrontOf(const LightPart& part, const std::array<Vector3, 3>& triangle, double tolerance);
+Polygon InFrontOf(const LightPart& part, const std::array<Vector3, 3>& triangle);
 
 } // namespace shadowcones
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scOccluderParts.h"
 
+#include "scLampPlane.h"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -70,7 +72,6 @@ ProofMargins ProofMarginsOf(const Box& bounds)
   margins.Center = bounds.Empty() ? Vector3{} : bounds.Center();
   margins.Place = 5e-7;
   margins.Least = 1.5e-7 * bounds.Diagonal();
-  margins.LampPlane = 2e-6 * bounds.Diagonal();
   return margins;
 }
 
@@ -97,7 +98,7 @@ public:
     const Vector3 center = node.Bounds.Center();
     const double radius = 0.5 * node.Bounds.Diagonal();
     const LightPart& part = this->Parts.Lights[light];
-    if (part.OneSided && Dot(center - part.Center, part.Normal) + radius <= this->Parts.Margin.LampPlane)
+    if (part.OneSided && Dot(center - part.Center, part.Normal) + radius <= 0.0)
     {
       return;
     }
@@ -120,7 +121,11 @@ public:
       for (vtkIdType i = node.Begin; i < node.End; ++i)
       {
         const vtkIdType triangle = this->Parts.Order[i];
-        this->Piece({ CornersOf(this->Parts.View, triangle), triangle, light }, left);
+        const auto corners = CornersOf(this->Parts.View, triangle);
+        if (!IsFlush(this->Parts.Face, corners[0], corners[1], corners[2]))
+        {
+          this->Piece({ corners, triangle, light }, left);
+        }
       }
       return;
     }
@@ -187,7 +192,7 @@ private:
   void Piece(const OccluderPart& piece, const std::vector<int>& candidates)
   {
     const LightPart& part = this->Parts.Lights[piece.Light];
-    const Polygon polygon = InFrontOf(part, piece.Corners, this->Parts.Margin.LampPlane);
+    const Polygon polygon = InFrontOf(part, piece.Corners);
     if (polygon.Count == 0)
     {
       return;
@@ -236,6 +241,7 @@ private:
 OccluderParts::OccluderParts(const TriangleMeshView& mesh, const Light& light, const ProofMargins& margins)
   : View(mesh)
   , Lights(LightPartsOf(light))
+  , Face(FlatFaceOf(light))
   , Margin(margins)
 {
   double area = 0.0;
@@ -303,7 +309,7 @@ void OccluderParts::BuildNodes()
 std::vector<HeldPoint> OccluderParts::CastingPoints(const OccluderPart& part) const
 {
   std::vector<HeldPoint> points;
-  for (const Vector3& p : InFrontOf(this->Lights[part.Light], part.Corners, this->Margin.LampPlane))
+  for (const Vector3& p : InFrontOf(this->Lights[part.Light], part.Corners))
   {
     points.push_back({ p, part.Light, this->Margin.At(p) });
   }

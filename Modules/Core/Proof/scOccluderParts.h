@@ -7,6 +7,7 @@
 #define scOccluderParts_h
 
 #include "scBoundingCone.h"
+#include "scFlatFace.h"
 #include "scLightParts.h"
 #include "scOccluderScene.h"
 #include "scParallel.h"
@@ -20,10 +21,9 @@ namespace shadowcones
 /// What the ray engine may see of a mesh in other places than it is: see ProofMargins.
 struct ProofMargins
 {
-  Vector3 Center;       ///< of the mesh's bounds
-  double Place = 0.0;   ///< share of a point's largest distance from Center along an axis
-  double Least = 0.0;   ///< world units
-  double LampPlane = 0.0; ///< casters no higher than this over the plane of a flat light cast nothing
+  Vector3 Center;     ///< of the mesh's bounds
+  double Place = 0.0; ///< share of a point's largest distance from Center along an axis
+  double Least = 0.0; ///< world units
 
   double At(const Vector3& point) const;
 };
@@ -72,6 +72,7 @@ private:
 
   TriangleMeshView View;
   std::vector<LightPart> Lights;
+  FlatFace Face; ///< triangles that are flush with it cast nothing
   ProofMargins Margin;
   double LargestEdge = 0.0;
   std::vector<vtkIdType> Order;           ///< of the triangles along a curve that fills space
