@@ -3,6 +3,8 @@
 
 #include "scRandom.h"
 
+#include "scLampPlane.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,12 +18,16 @@ constexpr int fewestSamples = 8;
 constexpr int mostFirstSamples = 32;
 /// More samples than the first look asks for, so that they seldom fall short.
 constexpr double safety = 1.5;
-/// Samples that are this many times as wrong as wanted are taken anew, and more of them.
+/// Where samples are this many times as wrong as wanted more of them are taken.
 constexpr double farOff = 1.5;
 /// The error of n samples is about this share of the light in the stretches, over n^(3/4), where nothing is known yet.
 constexpr double expectedSpread = 0.3;
 /// An edge of the shadow may lie anywhere in the part of one sample: 1 / sqrt(12), once.
-constexpr double unseenSpread = 0.29;
+constexpr double edgeSpread = 0.29;
+/// Where all samples say the same, a thin shadow or beam may have slipped between a few of them.
+constexpr double unseenSpread = 0.7;
+/// Which is as much as this above what is wanted where nothing else is wrong.
+constexpr double unseenExcess = 1.4;
 
 /// The first two dimensions of the Sobol sequence: any run of 2^k points has one in every 2^-k part of the square.
 struct LightSequence
@@ -58,139 +64,299 @@ BlockedLight::BlockedLight(
   , Groups(groups)
   , Sampler(scene.Source, options.Sampling)
   , Depth(scene.Fog)
+  , Rules(scene.Occluders.RulesFor(FlatFaceOf(scene.Source)))
 {
   Sequence();
 }
 
-void BlockedLight::Estimate(const LitSums& lit, double litError, const std::vector<RayInterval>& stretches,
-  double darkest, std::uint64_t seed)
+bool BlockedLight::Begin(const LitSums& lit, const std::vector<RayInterval>& stretches)
 {
-  this->Sums.assign(static_cast<std::size_t>(this->Groups.Count()), 0.0);
-  this->SquaredError = 0.0;
   this->Samples = 0;
   this->OcclusionRays = 0;
+  this->Forget();
+  this->Inside.assign(static_cast<std::size_t>(this->Groups.Count()), 0.0);
+  this->MeanInside = 0.0;
   this->Stretches.clear();
-  const double all = lit.SumUpTo(lit.End());
-  double light = 0.0;
+  this->Distributed = 0.0;
+  const double all = lit.SumUpTo(lit.PlaceOf(lit.End()));
   for (const RayInterval& stretch : stretches)
   {
     const double begin = std::min(lit.SumUpTo(lit.PlaceOf(stretch.Begin)), all);
     const double end = std::min(lit.SumUpTo(lit.PlaceOf(stretch.End)), all);
     if (end > begin)
     {
-      this->Stretches.push_back({ begin, end - begin, light });
-      light += end - begin;
+      this->Stretches.push_back({ begin, end - begin, this->Distributed });
+      this->Distributed += end - begin;
+      lit.AddBetween(stretch.Begin, stretch.End, this->Inside);
     }
   }
-  if (!(light > 0.0))
+  for (std::size_t g = 0; g < this->Inside.size(); ++g)
   {
-    return;
+    this->MeanInside += this->Groups.MeanSource[g] * this->Inside[g];
+  }
+  if (!(this->Distributed > 0.0))
+  {
+    return false;
   }
   const LitPixel& pixel = lit.Source();
   this->Depth.SetRay(pixel.Line.Origin, pixel.Line.Direction, pixel.Span.MediumBegin, pixel.Span.End);
+  return true;
+}
 
+void BlockedLight::Forget()
+{
+  const auto groups = static_cast<std::size_t>(this->Groups.Count());
+  this->Passes.clear();
+  this->SumOfWeights = 0.0;
+  this->All.assign(groups, 0.0);
+  this->Visible.assign(groups, 0.0);
+}
+
+void BlockedLight::EstimateFrom(
+  int count, const LitSums& lit, const std::vector<RayInterval>& stretches, std::uint64_t seed)
+{
+  if (this->Begin(lit, stretches))
+  {
+    this->Sample(lit, count, HashSeed(seed, 0));
+  }
+  this->Conclude(lit, 0.0);
+}
+
+void BlockedLight::Look(const LitSums& lit, const std::vector<RayInterval>& stretches, const Yardstick& yardstick,
+  std::uint64_t seed)
+{
+  this->Lit = &lit;
+  this->Measure = yardstick;
+  this->Seed = seed;
+  this->Wanted = 0.0;
   const double goal = this->Options.RelativeErrorGoal;
+  if (!this->Begin(lit, stretches))
+  {
+    this->Conclude(lit, yardstick.LitError);
+    return;
+  }
   const int most = std::max(this->Options.MaximumSamples, 1);
   if (!(goal > 0.0))
   {
-    this->Sample(lit, light, most, HashSeed(seed, 0));
+    this->Ratio = 1.0;
+    this->Wanted = most;
     return;
   }
-  const double first = std::ceil(std::pow(expectedSpread * light / (goal * std::max(all, darkest)), 4.0 / 3.0));
-  int count = std::min(most, static_cast<int>(std::clamp<double>(first, fewestSamples, mostFirstSamples)));
-  for (std::uint64_t pass = 0; this->Samples < most; ++pass)
+  const double largest = std::max(lit.Mean(), yardstick.Darkest);
+  const double first = std::ceil(std::pow(expectedSpread * this->MeanInside / (goal * largest), 4.0 / 3.0));
+  const double count = std::clamp<double>(first, fewestSamples, mostFirstSamples);
+  this->Sample(lit, static_cast<int>(std::min<double>(count, most)), HashSeed(seed, 0));
+  this->Conclude(lit, yardstick.LitError);
+  this->Wanted = std::max<double>(std::ceil(this->SamplesFor(this->Allowed())), fewestSamples);
+}
+
+double BlockedLight::Allowed() const
+{
+  // Where the unshadowed light is too wrong already, shadows need not be much better.
+  const double wanted = this->Options.RelativeErrorGoal * std::max(this->MeanLeft, this->Measure.Darkest);
+  return std::max(wanted * wanted - (this->SquaredError - this->SampledVariance), 0.25 * wanted * wanted);
+}
+
+void BlockedLight::Estimate(int most)
+{
+  if (!(this->Wanted > 0.0))
   {
-    this->Sample(lit, light, count, HashSeed(seed, pass));
-    double mean = all;
-    for (int g = 0; g < this->Groups.Count(); ++g)
-    {
-      mean -= this->Groups.MeanSource[static_cast<std::size_t>(g)] * this->Sums[static_cast<std::size_t>(g)];
-    }
-    const double wanted = goal * std::max(mean, darkest);
-    const double left = wanted * wanted - litError * litError;
-    if (pass > 0 && this->SquaredError <= farOff * farOff * left)
+    return;
+  }
+  most = std::min(most, std::max(this->Options.MaximumSamples, 1));
+  const LitSums& lit = *this->Lit;
+  if (most - this->Samples > this->Samples)
+  {
+    this->Forget(); // unless nearly all that may be taken went into the look
+  }
+  for (std::uint64_t pass = 1; this->Samples < most; ++pass)
+  {
+    this->Sample(
+      lit, static_cast<int>(std::min<double>(this->Wanted, most - this->Samples)), HashSeed(this->Seed, pass));
+    this->Conclude(lit, this->Measure.LitError);
+    const double allowed = this->Allowed();
+    if (this->SampledVariance <= farOff * farOff * allowed)
     {
       return;
     }
-    const double factor = left > 0.0 ? std::pow(this->SquaredError / left, 2.0 / 3.0) : HUGE_VAL;
-    count = static_cast<int>(std::min<double>(std::max<double>(safety * factor * count, fewestSamples),
-      std::max(most - this->Samples, 1)));
+    // As many as give all passes together the variance that is allowed.
+    const double enough = this->SamplesFor(allowed / (1.0 - allowed / this->SampledVariance));
+    this->Wanted = std::max<double>(std::ceil(enough), fewestSamples);
   }
 }
 
-void BlockedLight::Sample(const LitSums& lit, double light, int count, std::uint64_t seed)
+double BlockedLight::EdgeVariance(const Pass& pass) const
+{
+  if (pass.Count < 2)
+  {
+    return 0.0;
+  }
+  // Neighbours differ by the light point and by the place: this rates the sum as if light points were independent.
+  const double r = this->Ratio;
+  const double squares = pass.VisibleVisible - 2.0 * r * pass.AllVisible + r * r * pass.AllAll;
+  return std::max(0.5 * squares, 0.0) * pass.Count / (pass.Count - 1) * this->PerAll * this->PerAll;
+}
+
+double BlockedLight::UnseenVariance(const Pass& pass) const
+{
+  const bool alike = pass.NumberOfVisible == 0 || pass.NumberOfVisible == pass.NumberOfLit;
+  const double unseen = (alike ? unseenSpread : edgeSpread) * this->MeanInside / pass.Count;
+  return unseen * unseen;
+}
+
+double BlockedLight::SamplesFor(double variance) const
+{
+  if (!(variance > 0.0))
+  {
+    return HUGE_VAL;
+  }
+  // Of n samples: edges / n^(3/2) + unseen / n^2, where nobody knows the first well.
+  double edges = 0.0;
+  double unseenSquared = 0.0;
+  double weights = 0.0;
+  for (const Pass& pass : this->Passes)
+  {
+    const double count = pass.Count;
+    edges += this->EdgeVariance(pass) * pass.Weight * count;
+    unseenSquared += this->UnseenVariance(pass) * count * count * count;
+    weights += count;
+  }
+  edges *= safety * std::sqrt(safety) / weights;
+  const double unseen = std::sqrt(unseenSquared / weights) / unseenExcess;
+  // From the larger of the two alone, by Newton's method in the logarithm.
+  double n = std::max(std::pow(edges / variance, 2.0 / 3.0), unseen / std::sqrt(variance));
+  for (int step = 0; step < 3 && n > 0.0 && n < 1e12; ++step)
+  {
+    const double a = edges / (n * std::sqrt(n));
+    const double b = unseen * unseen / (n * n);
+    n *= std::exp(std::log((a + b) / variance) * (a + b) / (1.5 * a + 2.0 * b));
+  }
+  return n;
+}
+
+void BlockedLight::Conclude(const LitSums& lit, double litError)
+{
+  const std::vector<double>& whole = lit.Groups();
+  this->LeftOfGroups.assign(whole.begin(), whole.end());
+  this->MeanLeft = lit.Mean();
+  this->SampledVariance = 0.0;
+  this->SquaredError = litError * litError;
+  if (this->Passes.empty())
+  {
+    return;
+  }
+  double all = 0.0;
+  double visible = 0.0;
+  for (std::size_t g = 0; g < whole.size(); ++g)
+  {
+    all += this->Groups.MeanSource[g] * this->All[g];
+    visible += this->Groups.MeanSource[g] * this->Visible[g];
+  }
+  this->Ratio = all > 0.0 ? visible / all : 1.0;
+  this->PerAll = all > 0.0 ? this->MeanInside * this->SumOfWeights / all : 0.0;
+  this->MeanLeft = 0.0;
+  for (std::size_t g = 0; g < whole.size(); ++g)
+  {
+    const double ratio = this->All[g] > 0.0 ? this->Visible[g] / this->All[g] : this->Ratio;
+    this->LeftOfGroups[g] = whole[g] - this->Inside[g] * (1.0 - ratio);
+    this->MeanLeft += this->Groups.MeanSource[g] * this->LeftOfGroups[g];
+  }
+  for (const Pass& pass : this->Passes)
+  {
+    const double weight = pass.Weight / this->SumOfWeights;
+    this->SampledVariance += weight * weight * (this->EdgeVariance(pass) + this->UnseenVariance(pass));
+  }
+  // The unshadowed term enters by its sum in the stretches times the ratio, and by what lies outside of them.
+  const bool outside = lit.Mean() > (1.0 + 1e-9) * this->MeanInside;
+  const double hidden = outside ? 1.0 - this->Ratio : 0.0;
+  this->SquaredError =
+    this->SampledVariance + litError * litError * (this->Ratio * this->Ratio + hidden * hidden);
+}
+
+double BlockedLight::MoveTo(double light, const LitSums& lit, Place& place) const
+{
+  while (place.Stretch + 1 < this->Stretches.size() && light >= this->Stretches[place.Stretch + 1].Before)
+  {
+    ++place.Stretch;
+  }
+  const Stretch& stretch = this->Stretches[place.Stretch];
+  const double target = stretch.Begin + (light - stretch.Before);
+  while (place.Cell + 1 < cells && target >= lit.SumUpTo({ place.Cell, 1.0 }))
+  {
+    ++place.Cell;
+  }
+  const double inCell = lit.Of(place.Cell);
+  const double share = inCell > 0.0 ? std::clamp((target - lit.SumUpTo({ place.Cell, 0.0 })) / inCell, 0.0, 1.0) : 0.5;
+  return lit.DistanceOf({ place.Cell, share });
+}
+
+void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
 {
   const Ray& ray = lit.Source().Line;
   const int groups = this->Groups.Count();
   const OccluderScene& occluders = this->Scene.Occluders;
-  const double epsilon = occluders.Epsilon();
   const LightSequence& sequence = Sequence();
-  std::fill(this->Sums.begin(), this->Sums.end(), 0.0);
   RandomStream random(seed, 0);
-  const std::uint64_t scramble = random.NextWord();
-  const auto scrambleU = static_cast<std::uint32_t>(scramble >> 32);
-  const auto scrambleV = static_cast<std::uint32_t>(scramble);
+  Pass pass;
+  pass.Count = count;
+  pass.Weight = count * std::sqrt(static_cast<double>(count));
+  std::uint32_t scrambleU = 0;
+  std::uint32_t scrambleV = 0;
 
-  std::size_t stretch = 0;
-  int cell = 0;
-  double before = 0.0;
-  double squares = 0.0;
+  Place place;
+  double allBefore = 0.0;
+  double visibleBefore = 0.0;
   for (int k = 0; k < count; ++k)
   {
-    // Places ascend: stretch and cell are searched onwards from the last ones.
-    const double wanted = (k + random.Next()) / count * light;
-    while (stretch + 1 < this->Stretches.size() && wanted >= this->Stretches[stretch + 1].Before)
+    const std::uint32_t index = static_cast<std::uint32_t>(k) % LightSequence::Count;
+    if (index == 0)
     {
-      ++stretch;
+      const std::uint64_t scramble = random.NextWord();
+      scrambleU = static_cast<std::uint32_t>(scramble >> 32);
+      scrambleV = static_cast<std::uint32_t>(scramble);
     }
-    const double target = this->Stretches[stretch].Begin + (wanted - this->Stretches[stretch].Before);
-    while (cell + 1 < cells && target >= lit.SumUpTo({ cell, 1.0 }))
-    {
-      ++cell;
-    }
-    const double inCell = lit.Of(cell);
-    const double share = inCell > 0.0 ? std::clamp((target - lit.SumUpTo({ cell, 0.0 })) / inCell, 0.0, 1.0) : 0.5;
-    const double t = lit.DistanceOf({ cell, share });
+    const double t = this->MoveTo((k + random.Next()) / count * this->Distributed, lit, place);
+    const double inCell = lit.Of(place.Cell);
     const Vector3 point = ray.Origin + t * ray.Direction;
 
-    const std::uint32_t index = static_cast<std::uint32_t>(k) % LightSequence::Count;
     this->Sampler.MoveTo(point);
     const IncidentSample sample =
       this->Sampler.Sample((sequence.U[index] ^ scrambleU) * 0x1p-32, (sequence.V[index] ^ scrambleV) * 0x1p-32);
-    double value = 0.0;
-    if (sample.Weight > 0.0)
+    double all = 0.0;
+    double visible = 0.0;
+    if (sample.Weight > 0.0 && inCell > 0.0)
     {
       this->OcclusionRays += 1;
-      if (occluders.Occluded(point, sample.Direction, epsilon, sample.Distance - epsilon))
+      const bool blocked = occluders.Occluded(point, sample.Direction, 0.0, sample.Distance, this->Rules);
+      const double source = sample.Weight * this->Depth.DensityAt(point) *
+        EvaluatePhaseFunction(this->Scene.Fog.Phase, Dot(sample.Direction, ray.Direction));
+      const double depth = this->Depth.Along(t) + this->Depth.Towards(point, sample.Direction, sample.Distance);
+      // Over the density of places: the light in the cell per its width, over all of the stretches' light.
+      const double weight = this->Distributed * lit.Width(place.Cell) / inCell / count;
+      for (int g = 0; g < groups; ++g)
       {
-        const double source = sample.Weight * this->Depth.DensityAt(point) *
-          EvaluatePhaseFunction(this->Scene.Fog.Phase, Dot(sample.Direction, ray.Direction));
-        const double depth = this->Depth.Along(t) + this->Depth.Towards(point, sample.Direction, sample.Distance);
-        // Over the density of places: the light in the cell per its width, over all of the stretches' light.
-        const double weight = light * lit.Width(cell) / inCell / count;
-        for (int g = 0; g < groups; ++g)
-        {
-          const auto group = static_cast<std::size_t>(g);
-          const double part = weight * source * TransmittanceOver(this->Groups.SigmaT[group], depth);
-          this->Sums[group] += part;
-          value += this->Groups.MeanSource[group] * part;
-        }
+        const auto group = static_cast<std::size_t>(g);
+        const double part = weight * source * TransmittanceOver(this->Groups.SigmaT[group], depth);
+        this->All[group] += pass.Weight * part;
+        this->Visible[group] += blocked ? 0.0 : pass.Weight * part;
+        all += this->Groups.MeanSource[group] * part;
       }
+      visible = blocked ? 0.0 : all;
+      pass.NumberOfLit += 1;
+      pass.NumberOfVisible += blocked ? 0 : 1;
     }
     if (k > 0)
     {
-      squares += (value - before) * (value - before);
+      pass.AllAll += (all - allBefore) * (all - allBefore);
+      pass.AllVisible += (all - allBefore) * (visible - visibleBefore);
+      pass.VisibleVisible += (visible - visibleBefore) * (visible - visibleBefore);
     }
-    before = value;
+    allBefore = all;
+    visibleBefore = visible;
   }
   this->Samples += count;
-  const double unseen = unseenSpread * light / count;
-  this->SquaredError = unseen * unseen;
-  if (count > 1)
-  {
-    // Neighbours differ by the light point and by the place: this rates the sum as if light points were independent.
-    this->SquaredError += 0.5 * squares * count / (count - 1);
-  }
+  this->Passes.push_back(pass);
+  this->SumOfWeights += pass.Weight;
 }
 
 } // namespace shadowcones

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scBlockedLight.h
- * @brief What occluders take from the medium term of a camera ray, by occlusion rays. Internal to Core.
+ * @brief What occluders leave of the medium term of a camera ray, by occlusion rays. Internal to Core.
  *
- * The unshadowed term I is known in 64 cells of the ray: see scLitProfile.h. What is blocked is the integral of U (1 - V)
- * over the stretches where cones allow for shadow. It is sampled at places spread evenly over the unshadowed light in
- * these stretches, each with a light point of its own: of the n places and light points every n-th part holds one, and
- * their weights hardly differ, so that a sample says little else than blocked or not.
+ * The unshadowed term is known in 64 cells of the ray: see scLitProfile.h. Where cones allow for shadow, samples are
+ * taken at places spread evenly over the unshadowed light in these stretches, each with a light point of its own: of
+ * the n places and light points every n-th part holds one. What is visible in the stretches is their unshadowed light
+ * times a ratio of two sums over the same samples: the light of those that see the lamp over the light of all. So
+ * nothing is left where all are blocked, all is left where none is, and an error of the unshadowed term is as large,
+ * relatively, in what is left.
  */
 #ifndef scBlockedLight_h
 #define scBlockedLight_h
@@ -28,19 +30,38 @@ class BlockedLight
 public:
   BlockedLight(const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups);
 
+  /// Against what errors are measured, means over wavelengths.
+  struct Yardstick
+  {
+    double Darkest = 0.0;  ///< what is left counts as no less than this
+    double LitError = 0.0; ///< standard error of the unshadowed term up to any place
+  };
   /**
-   * Take as many samples as make the standard error RelativeErrorGoal of what is left of the light, MaximumSamples at
-   * most. A first few tell how many these are and are not part of the result; the others are kept unless they turn out
-   * one and a half times as wrong: stopping when all looks well is biased towards light, where samples miss a shadow.
-   * @param lit up to where occlusion rays may start, @param litError its standard error; @param stretches ascending;
-   * @param darkest what is left counts as no less than this; @param seed of the pixel.
+   * A first look at a ray, which tells how many samples it needs and is not part of the result: stopping when all looks
+   * well is biased towards light, where samples miss a shadow.
+   * @param lit up to where occlusion rays may start; @param stretches ascending; @param seed of the pixel. The sums
+   * must live until Estimate().
    */
-  void Estimate(const LitSums& lit, double litError, const std::vector<RayInterval>& stretches, double darkest,
+  void Look(const LitSums& lit, const std::vector<RayInterval>& stretches, const Yardstick& yardstick,
     std::uint64_t seed);
+  /// Is there an estimate to be made, and did the look see no light in the stretches?
+  bool LooksDark() const { return this->Wanted > 0.0 && this->Ratio == 0.0; }
+  /// Did any sample see the lamp?
+  bool SeesLight() const { return !this->Passes.empty() && this->Ratio > 0.0; }
+  /// Samples that the look asks for.
+  double NumberOfWantedSamples() const { return this->Wanted; }
+  /**
+   * After a look: take as many samples as make the standard error RelativeErrorGoal of what is left of the light,
+   * MaximumSamples at most, and @p most if that is less. They are pooled by their numbers; more are taken where the
+   * error turns out one and a half times as large as wanted.
+   */
+  void Estimate(int most);
+  /// The same from this many samples.
+  void EstimateFrom(int count, const LitSums& lit, const std::vector<RayInterval>& stretches, std::uint64_t seed);
 
-  /// Results of the last estimate: per group, then of the mean over wavelengths.
-  const std::vector<double>& Blocked() const { return this->Sums; }
-  double Variance() const { return this->SquaredError; } ///< without that of the unshadowed light
+  /// Results of the last estimate: what is left of every group, and of the mean over wavelengths its squared error.
+  const std::vector<double>& Left() const { return this->LeftOfGroups; }
+  double Variance() const { return this->SquaredError; }
   int NumberOfSamples() const { return this->Samples; }
   vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
 
@@ -52,16 +73,62 @@ private:
     double Light = 0.0;
     double Before = 0.0;
   };
-  void Sample(const LitSums& lit, double light, int count, std::uint64_t seed);
+  /// Samples of one pass, as means over wavelengths: sums over neighbours of products of their differences.
+  struct Pass
+  {
+    int Count = 0;
+    int NumberOfLit = 0; ///< by the lamp, were it not for occluders
+    int NumberOfVisible = 0;
+    double Weight = 0.0; ///< among the passes
+    double AllAll = 0.0;
+    double AllVisible = 0.0;
+    double VisibleVisible = 0.0;
+  };
+  /// Where a sample is; samples ascend.
+  struct Place
+  {
+    std::size_t Stretch = 0;
+    int Cell = 0;
+  };
+  /// To where so much of the light in the stretches lies before. @return the distance along the ray.
+  double MoveTo(double light, const LitSums& lit, Place& place) const;
+  bool Begin(const LitSums& lit, const std::vector<RayInterval>& stretches);
+  void Sample(const LitSums& lit, int count, std::uint64_t seed);
+  void Forget();
+  void Conclude(const LitSums& lit, double litError);
+  /// Squared error that samples may have.
+  double Allowed() const;
+  /// Of one pass over n^-3/2, from what its samples show.
+  double EdgeVariance(const Pass& pass) const;
+  /// Of one pass over n^-2, from what its samples may have missed.
+  double UnseenVariance(const Pass& pass) const;
+  /// Number of samples of one more pass, so that all passes together have this variance.
+  double SamplesFor(double variance) const;
 
   const ScatteringScene& Scene;
   const ScatteringOptions& Options;
   const ExtinctionGroups& Groups;
   LightSampler Sampler;
   MediumDepth Depth;
+  const RayRules Rules; ///< for what is flush with the light
+  const LitSums* Lit = nullptr;
+  Yardstick Measure;
+  std::uint64_t Seed = 0;
+  double Wanted = 0.0; ///< samples of the next pass; 0: nothing to do
   std::vector<Stretch> Stretches;
-  std::vector<double> Sums;
-  double SquaredError = 0.0;
+  std::vector<double> Inside;  ///< unshadowed light in the stretches, per group
+  double MeanInside = 0.0;     ///< over wavelengths
+  double Distributed = 0.0;    ///< the same by the distribution of places
+  std::vector<Pass> Passes;
+  double SumOfWeights = 0.0;
+  std::vector<double> All;     ///< weighted sums over passes, per group
+  std::vector<double> Visible;
+  std::vector<double> LeftOfGroups;
+  double MeanLeft = 0.0;
+  double Ratio = 1.0;          ///< visible over all, means over wavelengths
+  double PerAll = 0.0;         ///< light for each unit of All
+  double SampledVariance = 0.0;
+  double SquaredError = 0.0;   ///< with that of the unshadowed light
   int Samples = 0;
   vtkIdType OcclusionRays = 0;
 };

@@ -22,7 +22,7 @@ namespace shadowcones
 
 class VisibilityField;
 
-/// What all threads share.
+/// What all threads share, whatever part of the image is rendered.
 struct LitMinusBlockedScene
 {
   LitMinusBlockedScene(
@@ -35,6 +35,7 @@ struct LitMinusBlockedScene
   LitQuadrature Lit;
   std::vector<double> TypicalSums; ///< of every group
   double TypicalMean = 0.0;        ///< over wavelengths
+  double Darkest = 0.0;            ///< pixels that are darker are sampled as if they had this, mean over wavelengths
   std::unique_ptr<VisibilityField> Field; ///< Soft, Volume
 };
 
@@ -42,7 +43,9 @@ struct LitMinusBlockedScene
 class LitMinusBlocked
 {
 public:
-  LitMinusBlocked(const LitMinusBlockedScene& shared, const PrimaryHits& hits, ScatteringImage& image);
+  /// @param options with the extent of the image; all else as the scene has it.
+  LitMinusBlocked(const LitMinusBlockedScene& shared, const ScatteringOptions& options, const PrimaryHits& hits,
+    ScatteringImage& image);
 
   /// Pixels of a tile that lies in one of LitTile's squares.
   void RenderTile(const TileRange& tile);
@@ -51,20 +54,35 @@ public:
 private:
   void RenderBlock(const TileRange& block);
   void RenderPixel(int i, int j);
+  bool EstimateRay(const PrimaryHit& hit, std::uint64_t seed);
+  void FindStretches(const Ray& ray, const MediumSegment& segment);
+  bool IsBlockDark();
 
   const LitMinusBlockedScene& Shared;
+  const ScatteringOptions& Options;
   const PrimaryHits& Hits;
   ScatteringImage& Image;
   LitTile Tile;
-  LitPixel Pixel;
+  LitPixel Pixel; ///< of the ray at hand
   LitSums Sums;
+  MediumDepth Depth;
   BlockedLight Blocked;
+  LitPixel OtherPixel; ///< of another ray of the block
+  LitSums OtherSums;
+  BlockedLight OtherBlocked;
   std::unique_ptr<ConeBeam> Beam;
   std::vector<RayInterval> Stretches;
   std::array<LitPixel, 4> Corners; ///< of the block
   std::uint64_t CellsInShadow = 0; ///< of the block
-  std::vector<double> Hidden; ///< per group, of the light
-  std::vector<double> Left;   ///< per group, without what is hidden
+  std::vector<PixelRay> Rays;      ///< of the pixel
+  std::vector<double> LeftOfPixel; ///< per group
+  int BlockI = 0;                  ///< first pixel of the block
+  int BlockJ = 0;
+  int Darkness = -1; ///< of the block: 1 where no ray of it sees any light inside cones; -1: nobody asked yet
+  std::vector<double> Hidden; ///< of the ray at hand, per group: from a grid
+  std::vector<double> Left; ///< of the ray at hand, per group: what is not hidden
+  double Variance = 0.0;    ///< of its mean over wavelengths
+  int Samples = 0;
   vtkIdType OcclusionRays = 0;
 };
 

@@ -10,7 +10,7 @@
 #ifndef scLitProfile_h
 #define scLitProfile_h
 
-#include "scCamera.h"
+#include "scRay.h"
 #include "scExtinction.h"
 #include "scLightRule.h"
 #include "scMediumDepth.h"
@@ -23,9 +23,9 @@ namespace shadowcones
 {
 
 /**
- * Values of one ray, as floats in a row: 65 edges of the cells, distances from a reference; then for each group of
- * wavelengths 64 means over cells of the light scattered per unit of length, times the squared distance from the light,
- * which makes them smooth from ray to ray.
+ * Values of one ray, as floats in a row: 65 edges of the cells, distances from where its part in the medium begins;
+ * then for each group of wavelengths 64 means over cells of the light scattered per unit of length, times the squared
+ * distance from the light, which makes them smooth from ray to ray.
  */
 struct LitProfileLayout
 {
@@ -34,6 +34,13 @@ struct LitProfileLayout
   int NumberOfGroups = 1;
 
   std::size_t Size() const { return static_cast<std::size_t>(Edges + this->NumberOfGroups * Cells); }
+};
+
+/// How fine a profile is computed.
+struct LitLevel
+{
+  int Panels = 0; ///< 0 .. NumberOfPanelLevels - 1
+  int Rule = 0;   ///< 0 .. LightRule::NumberOfLevels - 1
 };
 
 /// What the profiles of an image share: quadrature rules of the light. The arguments must outlive it.
@@ -53,41 +60,74 @@ public:
   Vector3 Center;               ///< of the light
   double Radius = 0.0;          ///< of the sphere around it
   double Extent = 0.0;          ///< diagonal of the medium
+  /// The largest extinction where the medium is dense: half of the cells lie close behind a ray's entry then. 0: it is
+  /// not.
+  double DenseSigmaT = 0.0;
+  /// The coarsest that is worth looking at.
+  LitLevel FirstLevel() const;
 };
 
-/// How fine a profile is computed.
-struct LitLevel
+/**
+ * The change of variable of one ray, in which its cells are even: the angle under which they are seen from the light,
+ * or the length for a light far away or at infinity. In a dense medium one half of the cells is even in that and the
+ * other in the logarithm of the optical depth behind the entry, where all of the light comes from.
+ */
+class LitVariable
 {
-  int Panels = 0; ///< 0 .. NumberOfPanelLevels - 1
-  int Rule = 0;   ///< 0 .. LightRule::NumberOfLevels - 1
-};
+public:
+  LitVariable() = default;
+  /// @param depth of the ray, which it must outlive: nullptr in a homogeneous medium.
+  LitVariable(const LitQuadrature& quadrature, const Ray& ray, const MediumSpan& span, const MediumDepth* depth);
 
-/// The change of variable of one ray. For a light far away or at infinity the variable is a length.
-struct LitAngle
-{
-  LitAngle(const LitQuadrature& quadrature, const Ray& ray, const MediumSpan& span);
+  /// Cells are counted from 0 at the beginning to LitProfileLayout::Cells at the end; inside a gap nothing counts.
+  double CellCoordinate(double t) const;
+  double DistanceAt(double cellCoordinate) const;
+  void FillEdges(double* edges) const;
+  /// No cell reaches across this edge.
+  bool IsGap(int edge) const { return this->HasGap && edge == LitProfileLayout::Cells / 2; }
 
-  double ToVariable(double t) const
+  /// What the light at @p t is multiplied by to be even over cells, up to CellFactor(): see LitProfileLayout.
+  double Flattened(double t, double cellCoordinate) const;
+  /// What a mean of LitProfileLayout is multiplied by to be the integral over its cell.
+  double CellFactor() const { return this->Dense ? 1.0 : this->CellWidth / this->Scale; }
+  /// Does the ray pass the light so closely that single precision does not tell cells apart there?
+  bool NeedsDouble() const { return this->Close; }
+
+private:
+  /// Cells in a row that no gap interrupts.
+  struct Part
   {
-    return this->IsLength ? t : std::atan((t - this->Nearest) / this->Scale);
-  }
-  double ToDistance(double x) const { return this->IsLength ? x : this->Nearest + this->Scale * std::tan(x); }
-
-  /// What the light at @p t is multiplied by to be even over cells: the squared distance from the light, about.
-  double Flattened(double t) const
+    double Begin = 0.0;
+    double End = 0.0;
+    int FirstCell = 0;
+    int Cells = LitProfileLayout::Cells;
+    bool Graded = false; ///< dense: half of the cells at its beginning
+    double Width = 0.0;  ///< of a cell in the variable, without grading
+    double Logarithm = 0.0; ///< of the grading, over the part
+  };
+  void SetPart(Part& part, double begin, double end, int firstCell, int cells) const;
+  /// Difference of the variable between two distances.
+  double Between(double from, double to) const;
+  double DepthBetween(double from, double to) const;
+  double CoordinateIn(const Part& part, double t) const;
+  double DistanceIn(const Part& part, double offset) const;
+  const Part& PartOf(double cellCoordinate) const
   {
-    return this->IsLength ? 1.0 : this->Scale * this->Scale + (t - this->Nearest) * (t - this->Nearest);
+    return this->HasGap && cellCoordinate > LitProfileLayout::Cells / 2 ? this->Parts[1] : this->Parts[0];
   }
+  void FillEven(const Part& part, double* edges) const;
 
   double Nearest = 0.0; ///< distance along the ray of its point nearest to the light
-  double Scale = 1.0;   ///< D, or 1 where the variable is a length
+  double Scale = 1.0;   ///< its distance from the light, or 1 where the variable is a length
+  double CellWidth = 0.0; ///< in the variable, as if there were no gap
   bool IsLength = false;
-  double CellWidth = 0.0; ///< in the variable
-  /// What a mean of LitProfileLayout is multiplied by to be the integral over its cell.
-  double CellFactor() const { return this->CellWidth / this->Scale; }
+  bool Dense = false;
+  bool Close = false;
+  bool HasGap = false;
+  double SigmaT = 0.0; ///< of the grading
+  const MediumDepth* Depth = nullptr;
+  std::array<Part, 2> Parts;
 };
-
-struct CellVariables;
 
 /// Computes profiles; one a thread.
 class LitProfiler
@@ -97,13 +137,16 @@ public:
   /// Light points looked at from all nodes of a ray.
   static int NumberOfEvaluations(const LitQuadrature& quadrature, const LitLevel& level);
   /// @param values LitProfileLayout::Size() floats.
-  void Evaluate(const Ray& ray, const MediumSpan& span, double reference, const LitLevel& level, float* values);
+  void Evaluate(const Ray& ray, const MediumSpan& span, const LitLevel& level, float* values);
 
 private:
-  void IntegrateDensity(const Ray& ray, const MediumSpan& span, const LitAngle& angle,
-    const CellVariables& variables, double reference, const LitLevel& level, float* values);
-  /// Add what the light sends by way of the point at @p t to the camera, per unit of length and density, times a factor.
+  void IntegrateDensity(
+    const Ray& ray, const LitVariable& variable, const double* edges, const LitLevel& level, float* values);
+  /// Add what the light sends by way of the point at @p t to the camera, per unit of length and density, times a
+  /// factor.
   void AddNode(const Ray& ray, double t, double factor, const LitLevel& level, double* value);
+  void AddSample(const IncidentSample& sample, const Vector3& point, const Vector3& direction, double cameraLeg,
+    double factor, double* value);
   void AddLightPoints(const LightRule& rule, const Vector3& point, const Vector3& direction, double cameraLeg,
     double factor, double* value);
 
@@ -113,6 +156,8 @@ private:
   std::vector<float> Weights; ///< of light points
   std::vector<float> Cosines;
   std::vector<float> Legs;
+  std::vector<IncidentSample> NearSamples;    ///< of a mesh
+  std::vector<std::size_t> ReplacedPoints;
 };
 
 } // namespace shadowcones

@@ -2,6 +2,7 @@
 #include "scLitSums.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace shadowcones
 {
@@ -16,24 +17,83 @@ LitSums::LitSums(const ExtinctionGroups& groups)
 {
 }
 
-void LitSums::Add(const LitPixel& pixel, double tEnd)
+void LitSums::Add(const LitPixel& pixel, double tEnd, const MediumDepth* depth)
 {
   this->Pixel = &pixel;
+  this->Depth = depth;
+  this->RayEnd = tEnd;
   const int groups = this->Extinction.Count();
   this->Totals.resize(static_cast<std::size_t>(groups));
-  this->Last = this->PlaceOf(tEnd);
+  this->LastPlace = tEnd < pixel.Span.End ? this->Locate(tEnd) : Place{ cells - 1, 1.0 };
   this->Whole = 0.0;
   for (int g = 0; g < groups; ++g)
   {
-    const float* cell = pixel.Cells(g);
-    double total = this->Last.Share * static_cast<double>(cell[this->Last.Cell]);
-    for (int k = 0; k < this->Last.Cell; ++k)
-    {
-      total += static_cast<double>(cell[k]);
-    }
+    const double total = this->SumOfCells(this->LastPlace, g);
     this->Totals[static_cast<std::size_t>(g)] = total;
     this->Whole += this->Extinction.MeanSource[static_cast<std::size_t>(g)] * total;
   }
+}
+
+double LitSums::SumOfCells(const Place& place, int group) const
+{
+  const float* cell = this->Pixel->Cells(group);
+  double sum = 0.0;
+  for (int k = 0; k < place.Cell; ++k)
+  {
+    sum += static_cast<double>(cell[k]);
+  }
+  return sum + this->UpTo(place, group);
+}
+
+double LitSums::UpTo(const Place& place, int group) const
+{
+  const float* cell = this->Pixel->Cells(group);
+  const auto value = static_cast<double>(cell[place.Cell]);
+  const double x = place.Share;
+  if (this->Depth || x >= 1.0)
+  {
+    return x * value;
+  }
+  // In the profile's variable the light is nearly linear over a cell, with the slope that its neighbours show.
+  const LitVariable& variable = this->Pixel->Variable;
+  const bool before = place.Cell > 0 && !variable.IsGap(place.Cell);
+  const bool after = place.Cell + 1 < cells && !variable.IsGap(place.Cell + 1);
+  double slope = static_cast<double>(cell[place.Cell + (after ? 1 : 0)] - cell[place.Cell - (before ? 1 : 0)]);
+  slope *= before && after ? 0.5 : 1.0;
+  const double steepest = 2.0 * std::fabs(value);
+  return x * (value + 0.5 * (x - 1.0) * std::clamp(slope, -steepest, steepest));
+}
+
+void LitSums::AddBetween(double from, double to, std::vector<double>& sums) const
+{
+  if (from >= this->RayEnd)
+  {
+    return;
+  }
+  const bool first = from <= this->Pixel->Span.Begin;
+  const Place begin = first ? Place() : this->Locate(from);
+  const Place end = to < this->RayEnd ? this->Locate(to) : this->LastPlace;
+  for (int g = 0; g < this->Extinction.Count(); ++g)
+  {
+    const double upTo = to < this->RayEnd ? this->SumOfCells(end, g) : this->Totals[static_cast<std::size_t>(g)];
+    sums[static_cast<std::size_t>(g)] += first ? upTo : upTo - this->SumOfCells(begin, g);
+  }
+}
+
+LitSums::Place LitSums::Locate(double t) const
+{
+  if (this->Depth)
+  {
+    // In a medium of varying density a cell's light lies where its depth is.
+    Place place = this->PlaceOf(t);
+    const double begin = this->Depth->Along(this->Pixel->EdgeAt(place.Cell));
+    const double depth = this->Depth->Along(this->Pixel->EdgeAt(place.Cell + 1)) - begin;
+    place.Share = depth > 0.0 ? std::clamp((this->Depth->Along(t) - begin) / depth, 0.0, 1.0) : place.Share;
+    return place;
+  }
+  const double coordinate = this->Pixel->Variable.CellCoordinate(t);
+  const int cell = std::min(static_cast<int>(coordinate), cells - 1);
+  return { cell, coordinate - cell };
 }
 
 void LitSums::Accumulate()
@@ -54,12 +114,11 @@ void LitSums::Accumulate()
 
 LitSums::Place LitSums::PlaceOf(double t) const
 {
-  const float* edges = this->Pixel->Values.data();
-  const auto offset = static_cast<float>(t - this->Pixel->Reference);
-  const auto after = static_cast<int>(std::upper_bound(edges + 1, edges + cells, offset) - edges);
+  const double* edges = this->Pixel->Edges.data();
+  const auto after = static_cast<int>(std::upper_bound(edges + 1, edges + cells, t) - edges);
   const int cell = after - 1;
-  const float width = edges[after] - edges[cell];
-  const double share = width > 0.0f ? static_cast<double>((offset - edges[cell]) / width) : 0.0;
+  const double width = edges[after] - edges[cell];
+  const double share = width > 0.0 ? (t - edges[cell]) / width : 0.0;
   return { cell, std::clamp(share, 0.0, 1.0) };
 }
 

@@ -14,16 +14,36 @@
 namespace shadowcones
 {
 
-/// Sums over the cells of one pixel's ray; one a thread.
+/**
+ * Sums over the cells of one pixel's ray; one a thread. Of two kinds: what the light sends, up to a place, as exact as
+ * the profile is; and a distribution of places, linear in distance within a cell, from which samples are drawn.
+ */
 class LitSums
 {
 public:
   explicit LitSums(const ExtinctionGroups& groups);
-  /// The pixel must outlive the sums. @param tEnd where the ray ends.
-  void Add(const LitPixel& pixel, double tEnd);
-  /// What SumUpTo() and Of() need.
-  void Accumulate();
+  /// The pixel must outlive the sums. @param tEnd where the ray ends; @param depth of the ray, nullptr in a homogeneous
+  /// medium.
+  void Add(const LitPixel& pixel, double tEnd, const MediumDepth* depth = nullptr);
 
+  /// @name The unshadowed term
+  ///@{
+  /// Of every group up to the end of the ray.
+  const std::vector<double>& Groups() const { return this->Totals; }
+  /// Source-weighted mean over wavelengths of that.
+  double Mean() const { return this->Whole; }
+  /// Add that of every group between two places; all of the ray is Groups() to the last bit.
+  void AddBetween(double from, double to, std::vector<double>& sums) const;
+  /// The last cell that the ray reaches, and what it holds of it.
+  int LastCell() const { return this->LastPlace.Cell; }
+  double InLastCell(int group) const { return this->UpTo(this->LastPlace, group); }
+  double End() const { return this->RayEnd; }
+  ///@}
+
+  /// @name The distribution of places
+  ///@{
+  /// What the rest needs.
+  void Accumulate();
   /// A place on the ray: a cell and a share of it.
   struct Place
   {
@@ -36,9 +56,7 @@ public:
     const double begin = this->Pixel->EdgeAt(place.Cell);
     return begin + place.Share * (this->Pixel->EdgeAt(place.Cell + 1) - begin);
   }
-  /// Source-weighted mean over wavelengths of all.
-  double Mean() const { return this->Whole; }
-  /// The same up to a place.
+  /// Mean over wavelengths up to a place.
   double SumUpTo(const Place& place) const
   {
     const auto cell = static_cast<std::size_t>(place.Cell);
@@ -50,15 +68,22 @@ public:
     return this->Cumulative[static_cast<std::size_t>(cell) + 1] - this->Cumulative[static_cast<std::size_t>(cell)];
   }
   double Width(int cell) const { return this->Pixel->EdgeAt(cell + 1) - this->Pixel->EdgeAt(cell); }
-  const Place& End() const { return this->Last; }
+  ///@}
+
   const LitPixel& Source() const { return *this->Pixel; }
-  /// The unshadowed term of every group up to the end of the ray.
-  const std::vector<double>& Groups() const { return this->Totals; }
 
 private:
+  /// Exactly where a distance lies among the cells.
+  Place Locate(double t) const;
+  /// What a group sends from a cell, up to a share of it.
+  double UpTo(const Place& place, int group) const;
+  double SumOfCells(const Place& place, int group) const;
+
   const ExtinctionGroups& Extinction;
   const LitPixel* Pixel = nullptr;
-  Place Last;
+  const MediumDepth* Depth = nullptr;
+  double RayEnd = 0.0;
+  Place LastPlace;
   std::vector<double> Cumulative; ///< up to the beginning of every cell
   std::vector<double> Totals;
   double Whole = 0.0;

@@ -4,17 +4,20 @@
 #include "scWideLoops.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace shadowcones
 {
 namespace
 {
-/// No ray takes more evaluations of the light than this; meshes have many points, which are cheap.
+/// No ray takes more evaluations of the light than this where a tolerance of 1e-3 is asked for, and at most eight times
+/// as many where it is smaller; meshes have many points, which are cheap.
 constexpr int mostEvaluations = 1 << 12;
 constexpr int mostMeshEvaluations = 1 << 15;
 
-/// Rules are checked at one ray of a square: to be trusted at the others they must agree by this share of the tolerance.
+/// Rules are checked at one ray of a square: to be trusted at the others they must agree by this share of the
+/// tolerance.
 constexpr double quadratureShare = 0.3;
 
 /// A sum of three rows: the innermost loop of interpolation.
@@ -78,21 +81,27 @@ void LitTile::MoveTo(int i0, int j0)
   this->Sheets.clear();
   this->Values.clear();
   this->BlendedRow = -1;
-  this->Cut(i0, j0, Side, LitLevel(), this->Tolerance);
+  this->Cut(i0, j0, Side, this->Quadrature.FirstLevel(), this->Tolerance);
 }
 
-void LitTile::Interpolate(int i, int j, LitPixel& pixel)
+const LitTile::Leaf& LitTile::LeafAt(double i, double j) const
 {
-  const auto index = static_cast<std::size_t>((j - this->J0) * Side + i - this->I0);
-  const Leaf& leaf = this->Leaves[static_cast<std::size_t>(this->LeafOf[index])];
+  const int column = std::clamp(static_cast<int>(std::floor(i + 0.5)) - this->I0, 0, Side - 1);
+  const int row = std::clamp(static_cast<int>(std::floor(j + 0.5)) - this->J0, 0, Side - 1);
+  return this->Leaves[static_cast<std::size_t>(this->LeafOf[static_cast<std::size_t>(row * Side + column)])];
+}
+
+void LitTile::Interpolate(double i, double j, LitPixel& pixel)
+{
+  const Leaf& leaf = this->LeafAt(i, j);
   pixel.Line = this->RayOf(i, j);
   pixel.Span = this->Quadrature.Spans.Find(pixel.Line);
-  pixel.Reference = leaf.Reference;
   pixel.Tolerance = leaf.Tolerance;
   pixel.Values.resize(this->Quadrature.Layout.Size());
   if (pixel.Span.Empty())
   {
     std::fill(pixel.Values.begin(), pixel.Values.end(), 0.0f);
+    pixel.Edges.fill(0.0);
     return;
   }
   std::size_t sheet = leaf.FirstSheet;
@@ -100,17 +109,34 @@ void LitTile::Interpolate(int i, int j, LitPixel& pixel)
   {
     ++sheet;
   }
-  if (sheet < leaf.EndOfSheets)
+  const bool computed = leaf.Size > 1 || (i == leaf.I && j == leaf.J);
+  if (sheet < leaf.EndOfSheets && computed)
   {
     this->Blend(leaf, this->Sheets[sheet], i, j, pixel.Values.data());
   }
   else
   {
-    // It passes a face of the medium that none of the computed rays passes.
-    this->Evaluate(i, j, pixel.Span, pixel.Reference, leaf.Level, pixel.Values.data());
+    // It passes a face of the medium that none of the computed rays passes, or beside the one that is computed.
+    this->Evaluate(pixel.Line, pixel.Span, leaf.Level, pixel.Values.data());
   }
-  const LitAngle angle(this->Quadrature, pixel.Line, pixel.Span);
-  Multiply(pixel.Values.data() + LitProfileLayout::Edges, static_cast<float>(angle.CellFactor()),
+  FinishPixel(this->Quadrature, pixel);
+}
+
+void FinishPixel(const LitQuadrature& quadrature, LitPixel& pixel)
+{
+  pixel.Variable = LitVariable(quadrature, pixel.Line, pixel.Span, nullptr);
+  if (pixel.Variable.NeedsDouble())
+  {
+    pixel.Variable.FillEdges(pixel.Edges.data());
+  }
+  else
+  {
+    for (std::size_t k = 0; k < pixel.Edges.size(); ++k)
+    {
+      pixel.Edges[k] = pixel.Span.Begin + static_cast<double>(pixel.Values[k]);
+    }
+  }
+  Multiply(pixel.Values.data() + LitProfileLayout::Edges, static_cast<float>(pixel.Variable.CellFactor()),
     pixel.Values.size() - LitProfileLayout::Edges);
 }
 
@@ -138,31 +164,40 @@ void LitTile::Cut(int i, int j, int size, LitLevel level, double tolerance)
 
 bool LitTile::Affords(const LitLevel& level) const
 {
+  const int most = this->Quadrature.Source.Shape == LightShape::Mesh ? mostMeshEvaluations : mostEvaluations;
   return level.Panels < LitQuadrature::NumberOfPanelLevels && level.Rule < LightRule::NumberOfLevels &&
     LitProfiler::NumberOfEvaluations(this->Quadrature, level) <=
-    (this->Quadrature.Source.Shape == LightShape::Mesh ? mostMeshEvaluations : mostEvaluations);
+    most * std::clamp(1e-3 / std::max(this->Tolerance, 1e-9), 1.0, 8.0);
 }
 
 void LitTile::RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tolerance)
 {
-  int i = i0 + size / 4;
-  int j = j0 + size - size / 4;
-  MediumSpan span = this->SpanOf(i, j);
-  for (int k = 0; k < 9 && span.Empty(); ++k)
+  // Where rules do for the ray that passes nearest to the light they do for the others.
+  Ray ray;
+  MediumSpan span;
+  double nearest = HUGE_VAL;
+  for (int k = 0; k < 10; ++k)
   {
-    // Any ray of the square will do that meets the medium.
-    i = i0 + size / 2 * (k % 3);
-    j = j0 + size / 2 * (k / 3);
-    span = this->SpanOf(i, j);
+    const Ray other = k < 9 ? this->RayOf(i0 + size / 2 * (k % 3), j0 + size / 2 * (k / 3))
+                            : this->RayOf(i0 + size / 4, j0 + size - size / 4);
+    const MediumSpan part = this->Quadrature.Spans.Find(other);
+    const double t = std::clamp(Dot(this->Quadrature.Center - other.Origin, other.Direction), part.Begin, part.End);
+    const double distance = Length(other.Origin + t * other.Direction - this->Quadrature.Center);
+    if (!part.Empty() && distance < nearest)
+    {
+      ray = other;
+      span = part;
+      nearest = distance;
+    }
   }
   if (span.Empty())
   {
     return;
   }
-  const double factor = LitAngle(this->Quadrature, this->RayOf(i, j), span).CellFactor();
+  const double factor = this->CellFactor(ray, span);
   float* values = this->Scratch[0].data();
   float* finer = this->Scratch[1].data();
-  this->Evaluate(i, j, span, span.Begin, level, values);
+  this->Evaluate(ray, span, level, values);
   double differences[2] = { 0.0, 0.0 }; // when panels and rule were last made finer
   bool raised = true;
   while (raised)
@@ -176,7 +211,7 @@ void LitTile::RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tole
       {
         continue;
       }
-      this->Evaluate(i, j, span, span.Begin, next, finer);
+      this->Evaluate(ray, span, next, finer);
       const double difference = this->Difference(values, finer, factor);
       differences[part == &LitLevel::Panels ? 0 : 1] = difference;
       if (difference > quadratureShare * this->Tolerance)
@@ -236,12 +271,14 @@ bool LitTile::AddSheet(Leaf& leaf, int faces)
   const double far = 4.0 * this->Quadrature.Extent;
   const int half = leaf.Size / 2;
   const int quarter = leaf.Size / 4;
-  // Nine nodes, then rays to check: quadratics are worst halfway between their nodes, where the errors along the two
-  // axes add in one of these and take from each other in the other.
-  const int places[11][2] = { { 0, 0 }, { half, 0 }, { 2 * half, 0 }, { 0, half }, { half, half }, { 2 * half, half },
-    { 0, 2 * half }, { half, 2 * half }, { 2 * half, 2 * half }, { quarter, quarter }, { 3 * quarter, quarter } };
-  MediumSpan spans[11];
-  for (int k = 0; k < 11; ++k)
+  // Nine nodes, then rays to check: quadratics are worst halfway between their nodes, on any side of what is not
+  // smooth.
+  constexpr int count = 13;
+  const int places[count][2] = { { 0, 0 }, { half, 0 }, { 2 * half, 0 }, { 0, half }, { half, half }, { 2 * half, half },
+    { 0, 2 * half }, { half, 2 * half }, { 2 * half, 2 * half }, { quarter, quarter }, { 3 * quarter, quarter },
+    { 3 * quarter, 3 * quarter }, { quarter, 3 * quarter } };
+  MediumSpan spans[count];
+  for (int k = 0; k < count; ++k)
   {
     spans[k] = this->Quadrature.Spans.Between(this->RayOf(leaf.I + places[k][0], leaf.J + places[k][1]), faces);
     // Rays that run along a face meet its plane far away, or nowhere.
@@ -257,16 +294,17 @@ bool LitTile::AddSheet(Leaf& leaf, int faces)
   this->Values.resize(sheet.Nodes + 9 * stride);
   for (int k = 0; k < 9; ++k)
   {
-    this->Evaluate(leaf.I + places[k][0], leaf.J + places[k][1], spans[k], leaf.Reference, leaf.Level,
+    this->Evaluate(this->RayOf(leaf.I + places[k][0], leaf.J + places[k][1]), spans[k], leaf.Level,
       this->Values.data() + sheet.Nodes + static_cast<std::size_t>(k) * stride);
   }
-  for (int k = 9; k < 11; ++k)
+  for (int k = 9; k < count; ++k)
   {
     const int i = leaf.I + places[k][0];
     const int j = leaf.J + places[k][1];
-    this->Evaluate(i, j, spans[k], leaf.Reference, leaf.Level, this->Scratch[0].data());
+    const Ray ray = this->RayOf(i, j);
+    this->Evaluate(ray, spans[k], leaf.Level, this->Scratch[0].data());
     this->Blend(leaf, sheet, i, j, this->Scratch[1].data());
-    const double factor = LitAngle(this->Quadrature, this->RayOf(i, j), spans[k]).CellFactor();
+    const double factor = this->CellFactor(ray, spans[k]);
     if (this->Difference(this->Scratch[1].data(), this->Scratch[0].data(), factor) > leaf.Tolerance)
     {
       return false;
@@ -286,14 +324,13 @@ void LitTile::AddPixel(int i, int j, const LitLevel& level, double tolerance)
   leaf.Size = 1;
   leaf.Level = level;
   leaf.Tolerance = tolerance;
-  leaf.Reference = span.Begin;
   leaf.FirstSheet = this->Sheets.size();
   leaf.EndOfSheets = leaf.FirstSheet;
   if (!span.Empty())
   {
     const std::size_t first = this->Values.size();
     this->Values.resize(first + this->Quadrature.Layout.Size());
-    this->Evaluate(i, j, span, leaf.Reference, level, this->Values.data() + first);
+    this->Evaluate(this->RayOf(i, j), span, level, this->Values.data() + first);
     this->Sheets.push_back({ span.Faces, first });
     leaf.EndOfSheets = this->Sheets.size();
   }
@@ -310,7 +347,7 @@ void LitTile::Register(const Leaf& leaf)
   this->Leaves.push_back(leaf);
 }
 
-void LitTile::Blend(const Leaf& leaf, const Sheet& sheet, int i, int j, float* values)
+void LitTile::Blend(const Leaf& leaf, const Sheet& sheet, double i, double j, float* values)
 {
   const std::size_t count = this->Quadrature.Layout.Size();
   const float* first = this->Values.data() + sheet.Nodes;
@@ -325,23 +362,27 @@ void LitTile::Blend(const Leaf& leaf, const Sheet& sheet, int i, int j, float* v
     // Pixels of one row share the three columns' values in it.
     this->BlendedNodes = sheet.Nodes;
     this->BlendedRow = j;
-    QuadraticWeights(static_cast<double>(j - leaf.J) / leaf.Size, weights);
+    QuadraticWeights((j - leaf.J) / leaf.Size, weights);
     for (std::size_t column = 0; column < 3; ++column)
     {
       const float* node = first + column * count;
       AddThree(this->Columns.data() + column * count, node, node + 3 * count, node + 6 * count, weights, count);
     }
   }
-  QuadraticWeights(static_cast<double>(i - leaf.I) / leaf.Size, weights);
+  QuadraticWeights((i - leaf.I) / leaf.Size, weights);
   const float* column = this->Columns.data();
   AddThree(values, column, column + count, column + 2 * count, weights, count);
 }
 
-void LitTile::Evaluate(
-  int i, int j, const MediumSpan& span, double reference, const LitLevel& level, float* values)
+void LitTile::Evaluate(const Ray& ray, const MediumSpan& span, const LitLevel& level, float* values)
 {
-  this->Profiler.Evaluate(this->RayOf(i, j), span, reference, level, values);
+  this->Profiler.Evaluate(ray, span, level, values);
   this->Rays += 1;
+}
+
+double LitTile::CellFactor(const Ray& ray, const MediumSpan& span) const
+{
+  return LitVariable(this->Quadrature, ray, span, nullptr).CellFactor();
 }
 
 double LitTile::Difference(const float* a, const float* b, double factor) const
@@ -383,8 +424,8 @@ std::vector<double> TypicalLitSums(const LitQuadrature& quadrature, const Camera
     {
       continue;
     }
-    profiler.Evaluate(ray, span, span.Begin, LitLevel(), values.data());
-    const double factor = LitAngle(quadrature, ray, span).CellFactor() / (side * side);
+    profiler.Evaluate(ray, span, quadrature.FirstLevel(), values.data());
+    const double factor = LitVariable(quadrature, ray, span, nullptr).CellFactor() / (side * side);
     for (std::size_t g = 0; g < typical.size(); ++g)
     {
       const float* cell = values.data() + LitProfileLayout::Edges + g * LitProfileLayout::Cells;

@@ -20,16 +20,17 @@
 namespace shadowcones
 {
 
-/// The profile of one pixel's ray: see LitProfileLayout.
+/// The profile of one camera ray: see LitProfileLayout.
 struct LitPixel
 {
   Ray Line;
   MediumSpan Span;
-  double Reference = 0.0;    ///< edges are distances from here
-  double Tolerance = 0.0;    ///< error that was allowed, relative to the sum or a tenth of the image's typical sum
-  std::vector<float> Values; ///< edges, then cells: integrals over cells, no longer scaled
+  LitVariable Variable;
+  double Tolerance = 0.0; ///< error that was allowed, relative to the sum or a tenth of the image's typical sum
+  std::array<double, LitProfileLayout::Cells + 1> Edges; ///< distances along the ray; may be off by a little
+  std::vector<float> Values; ///< as in the layout, but with integrals over cells, no longer scaled
 
-  double EdgeAt(int k) const { return this->Reference + this->Values[static_cast<std::size_t>(k)]; }
+  double EdgeAt(int k) const { return this->Edges[static_cast<std::size_t>(k)]; }
   const float* Cells(int group) const
   {
     return this->Values.data() + LitProfileLayout::Edges + group * LitProfileLayout::Cells;
@@ -51,8 +52,8 @@ public:
 
   /// Prepare the square whose first pixel is (i0, j0).
   void MoveTo(int i0, int j0);
-  /// The profile of pixel (i, j), counted over the whole image, in the square.
-  void Interpolate(int i, int j, LitPixel& pixel);
+  /// The profile of pixel (i, j), counted over the whole image, in the square; parts of a pixel count from its centre.
+  void Interpolate(double i, double j, LitPixel& pixel);
 
   /// Rays computed so far.
   vtkIdType NumberOfRays() const { return this->Rays; }
@@ -76,8 +77,8 @@ private:
     std::size_t EndOfSheets = 0;
   };
 
-  Ray RayOf(int i, int j) const { return this->Eye.PixelRay(i, j, this->Width, this->Height); }
-  MediumSpan SpanOf(int i, int j) const { return this->Quadrature.Spans.Find(this->RayOf(i, j)); }
+  Ray RayOf(double i, double j) const { return this->Eye.PixelRay(i, j, this->Width, this->Height); }
+  MediumSpan SpanOf(double i, double j) const { return this->Quadrature.Spans.Find(this->RayOf(i, j)); }
   void Cut(int i, int j, int size, LitLevel level, double tolerance);
   bool Affords(const LitLevel& level) const;
   void RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tolerance);
@@ -85,8 +86,10 @@ private:
   bool AddSheet(Leaf& leaf, int faces);
   void AddPixel(int i, int j, const LitLevel& level, double tolerance);
   void Register(const Leaf& leaf);
-  void Blend(const Leaf& leaf, const Sheet& sheet, int i, int j, float* values);
-  void Evaluate(int i, int j, const MediumSpan& span, double reference, const LitLevel& level, float* values);
+  const Leaf& LeafAt(double i, double j) const;
+  void Blend(const Leaf& leaf, const Sheet& sheet, double i, double j, float* values);
+  void Evaluate(const Ray& ray, const MediumSpan& span, const LitLevel& level, float* values);
+  double CellFactor(const Ray& ray, const MediumSpan& span) const;
   double Difference(const float* a, const float* b, double factor) const;
 
   const LitQuadrature& Quadrature;
@@ -104,10 +107,13 @@ private:
   std::vector<int> LeafOf; ///< a pixel of the square
   std::vector<float> Columns; ///< of the sheet and row that were blended last
   std::size_t BlendedNodes = 0;
-  int BlendedRow = -1;
+  double BlendedRow = -1.0;
   std::array<std::vector<float>, 2> Scratch;
   vtkIdType Rays = 0;
 };
+
+/// Multiply the means of a profile to integrals, and give its edges their places on the ray.
+void FinishPixel(const LitQuadrature& quadrature, LitPixel& pixel);
 
 /// Mean of the unshadowed term of every group over rays all over the image.
 std::vector<double> TypicalLitSums(const LitQuadrature& quadrature, const Camera& camera, int width, int height);

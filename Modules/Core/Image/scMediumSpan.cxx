@@ -11,13 +11,15 @@ namespace
 /// Faces of the box are numbered from 0 to 5: twice the axis, one more for the larger coordinate. Then:
 constexpr int atOrigin = 6; ///< of the ray: the camera is inside
 constexpr int atLight = 7; ///< its plane, or its sphere
-constexpr int numberOfFaces = 8;
+constexpr int atDepth = 8; ///< behind it nothing is seen
+constexpr int numberOfFaces = 9;
 } // anonymous namespace
 
-MediumSpans::MediumSpans(const Light& light, const Box& bounds)
+MediumSpans::MediumSpans(const Light& light, const Box& bounds, double deepest)
   : Source(light)
   , Bounds(bounds)
-  , Planar(light.Shape == LightShape::Disc || light.Shape == LightShape::Rectangle)
+  , Deepest(deepest)
+  , Face(FlatFaceOf(light))
 {
 }
 
@@ -35,11 +37,11 @@ double MediumSpans::DistanceTo(const Ray& ray, int face) const
     case atOrigin:
       return 0.0;
     case atLight:
-      if (!this->Planar)
+      if (!this->Face.IsFlat)
       {
         return Dot(this->Source.Center - ray.Origin, ray.Direction); // the middle of the sphere
       }
-      return Dot(this->Source.Center - ray.Origin, this->Source.Normal) / Dot(ray.Direction, this->Source.Normal);
+      return Dot(this->Face.Center - ray.Origin, this->Face.Normal) / Dot(ray.Direction, this->Face.Normal);
     default:
       return ((face % 2 == 0 ? this->Bounds.Min : this->Bounds.Max)[face / 2] - ray.Origin[face / 2]) /
         ray.Direction[face / 2];
@@ -79,12 +81,17 @@ MediumSpan MediumSpans::Find(const Ray& ray) const
     }
   }
   span.MediumBegin = span.Begin;
+  if (span.Begin + this->Deepest < span.End)
+  {
+    span.End = span.Begin + this->Deepest;
+    exit = atDepth;
+  }
   int first = entry;
-  if (this->Planar)
+  if (this->Face.IsFlat)
   {
     // Nothing is lit behind the light, and its brightness has a kink or jump in its plane.
-    const double slope = Dot(ray.Direction, this->Source.Normal);
-    const double height = Dot(ray.Origin - this->Source.Center, this->Source.Normal);
+    const double slope = Dot(ray.Direction, this->Face.Normal);
+    const double height = Dot(ray.Origin - this->Face.Center, this->Face.Normal);
     const double t = slope != 0.0 ? -height / slope : (height > 0.0 ? -HUGE_VAL : HUGE_VAL);
     if (slope < 0.0 && t < span.End)
     {
@@ -132,9 +139,10 @@ MediumSpan MediumSpans::Between(const Ray& ray, int faces) const
   const int entry = faces / (numberOfFaces * numberOfFaces) % numberOfFaces;
   const bool sphere = this->Source.Shape == LightShape::Sphere;
   MediumSpan span;
-  span.Begin = this->DistanceTo(ray, first) + (sphere && first == atLight ? this->HalfChord(ray) : 0.0);
-  span.End = this->DistanceTo(ray, exit) - (sphere && exit == atLight ? this->HalfChord(ray) : 0.0);
   span.MediumBegin = this->DistanceTo(ray, entry);
+  span.Begin = this->DistanceTo(ray, first) + (sphere && first == atLight ? this->HalfChord(ray) : 0.0);
+  span.End = exit == atDepth ? span.MediumBegin + this->Deepest : this->DistanceTo(ray, exit);
+  span.End -= sphere && exit == atLight ? this->HalfChord(ray) : 0.0;
   span.HasGap = faces >= numberOfFaces * numberOfFaces * numberOfFaces;
   span.HalfGap = span.HasGap ? this->HalfChord(ray) : 0.0;
   span.Faces = faces;

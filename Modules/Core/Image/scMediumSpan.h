@@ -7,14 +7,17 @@
 #define scMediumSpan_h
 
 #include "scCamera.h"
+#include "scLampPlane.h"
 #include "scLight.h"
+
+#include <cmath>
 
 namespace shadowcones
 {
 
 /**
- * The part of a camera ray in the medium that the light can reach: inside the box, on the side to which a disc or
- * rectangle emits, outside of a sphere.
+ * The part of a camera ray in the medium that the light can reach and the camera can see: inside the box, not too deep,
+ * on the side to which a flat light emits, outside of a sphere.
  */
 struct MediumSpan
 {
@@ -32,7 +35,8 @@ struct MediumSpan
 class MediumSpans
 {
 public:
-  MediumSpans(const Light& light, const Box& bounds);
+  /// @param deepest length of medium behind which nothing is seen.
+  MediumSpans(const Light& light, const Box& bounds, double deepest = HUGE_VAL);
 
   MediumSpan Find(const Ray& ray) const;
   /// Between the planes of the same faces, also where the ray passes beside them: then Begin may exceed End.
@@ -44,7 +48,8 @@ private:
 
   const Light& Source;
   const Box& Bounds;
-  bool Planar;
+  double Deepest;
+  const FlatFace Face;
 };
 
 } // namespace shadowcones

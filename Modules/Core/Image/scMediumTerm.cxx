@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scMediumTerm.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shadowcones
 {
+namespace
+{
+/// Marched rays are called thick where their steps may make them too bright by more than this share.
+constexpr double largestExcess = 0.005;
+} // anonymous namespace
 
 MediumTerm::MediumTerm(const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups,
   const LightStrata& strata, const LitMinusBlockedScene* lit, const PrimaryHits& hits, ScatteringImage& image)
@@ -16,38 +23,23 @@ MediumTerm::MediumTerm(const ScatteringScene& scene, const ScatteringOptions& op
   , Image(image)
   , March{ scene.Occluders, scene.Source, scene.Fog, scene.Cones, options, groups, strata }
   , Marcher(March)
-  , Difference(lit ? std::make_unique<LitMinusBlocked>(*lit, hits, image) : nullptr)
+  , Difference(lit ? std::make_unique<LitMinusBlocked>(*lit, options, hits, image) : nullptr)
 {
 }
 
 int MediumTerm::TileSide(ScatteringMode mode)
 {
-  switch (mode)
-  {
-    case ScatteringMode::BruteForce:
-    case ScatteringMode::Medium:
-    case ScatteringMode::Fast:
-      return 4;
-    default:
-      return LitTile::Side;
-  }
+  return IsMarched(mode) ? 4 : LitTile::Side;
 }
 
 void MediumTerm::RenderTile(const TileRange& tile)
 {
-  switch (this->Options.Mode)
+  if (IsMarched(this->Options.Mode))
   {
-    case ScatteringMode::BruteForce:
-    case ScatteringMode::Medium:
-    case ScatteringMode::Fast:
-      this->MarchTile(tile);
-      break;
-    case ScatteringMode::Guided:
-    case ScatteringMode::Soft:
-    case ScatteringMode::Volume:
-      this->Difference->RenderTile(tile);
-      break;
+    this->MarchTile(tile);
+    return;
   }
+  this->Difference->RenderTile(tile);
 }
 
 void MediumTerm::MarchTile(const TileRange& tile)
@@ -56,27 +48,57 @@ void MediumTerm::MarchTile(const TileRange& tile)
   {
     for (int i = tile.I0; i <= tile.I1; ++i)
     {
-      const Ray ray = this->Hits.RayOf(i, j);
-      const MediumSegment segment =
-        SegmentInside(this->Scene.Fog.Bounds, this->Scene.Occluders, ray, this->Hits.At(i, j));
-      if (segment.Crosses)
-      {
-        this->Marcher.March(ray, segment.Begin, segment.EndOfMarch, PixelIndex(this->Options, i, j));
-        this->WriteMarch(IndexInExtent(this->Options, i, j));
-      }
+      this->MarchPixel(i, j);
     }
   }
 }
 
-void MediumTerm::WriteMarch(std::size_t index)
+void MediumTerm::MarchPixel(int i, int j)
 {
-  this->OcclusionRays += this->Marcher.NumberOfOcclusionRays();
-  this->Image.SampleCount[index] = this->Marcher.SampleCount();
+  const std::uint64_t pixel = PixelIndex(this->Options, i, j);
+  this->Hits.RaysOf(i, j, this->Rays);
+  this->Integrals.assign(static_cast<std::size_t>(this->Groups.Count()), 0.0);
+  double variance = 0.0;
+  vtkIdType samples = 0;
+  bool any = false;
+  for (std::size_t k = 0; k < this->Rays.size(); ++k)
+  {
+    const PixelRay& part = this->Rays[k];
+    const MediumSegment segment = SegmentInside(this->Scene.Fog.Bounds, this->Scene.Occluders, part.Line, part.Hit);
+    if (!segment.Crosses)
+    {
+      continue;
+    }
+    any = true;
+    // Numbers of pixels are below 2^31: those of an edge's rays are no pixel's.
+    const std::uint64_t key = this->Rays.size() > 1 ? pixel + ((k + 1) << 32) : pixel;
+    this->Marcher.March(part.Line, segment.Begin, segment.EndOfMarch, key);
+    this->OcclusionRays += this->Marcher.NumberOfOcclusionRays();
+    if (this->Marcher.Excess() > largestExcess)
+    {
+      this->ThickRays += 1;
+      this->ThickestStep = std::max(this->ThickestStep, this->Marcher.OpticalDepthOfStep());
+    }
+    samples += this->Marcher.SampleCount();
+    variance += part.Share * part.Share * this->Marcher.Variance();
+    for (std::size_t g = 0; g < this->Integrals.size(); ++g)
+    {
+      this->Integrals[g] += part.Share * this->Marcher.Integrals()[g];
+    }
+  }
+  if (!any)
+  {
+    return;
+  }
+  const std::size_t index = IndexInExtent(this->Options, i, j);
+  constexpr vtkIdType most = std::numeric_limits<int>::max();
+  this->Image.SampleCount[index] = static_cast<int>(std::min(samples, most));
   float* radiance = this->Image.InScattering.data() + index * this->Groups.Source.size();
-  const double mean = this->Groups.ToRadiance(this->Marcher.Integrals(), radiance);
-  const double deviation = std::sqrt(this->Marcher.Variance());
-  this->Image.RelativeError[index] =
-    this->Strata.Count() < 2 ? -1.0f : (mean > 0.0 ? static_cast<float>(deviation / mean) : 0.0f);
+  const double mean = this->Groups.ToRadiance(this->Integrals, radiance);
+  const double relative = mean > 0.0 ? std::sqrt(variance) / mean : 0.0;
+  const bool known = this->Strata.Count() >= 2;
+  this->Image.RelativeError[index] = known ? static_cast<float>(relative) : -1.0f;
+  this->Image.MediumError[index] = known ? static_cast<float>(std::sqrt(variance)) : -1.0f;
 }
 
 } // namespace shadowcones

@@ -32,10 +32,13 @@ public:
   {
     return this->OcclusionRays + (this->Difference ? this->Difference->NumberOfOcclusionRays() : 0);
   }
+  /// Of marched rays: see ScatteringImage.
+  vtkIdType NumberOfThickRays() const { return this->ThickRays; }
+  double MarchOpticalDepth() const { return this->ThickestStep; }
 
 private:
   void MarchTile(const TileRange& tile);
-  void WriteMarch(std::size_t index);
+  void MarchPixel(int i, int j);
 
   const ScatteringScene& Scene;
   const ScatteringOptions& Options;
@@ -46,7 +49,11 @@ private:
   const MarchScene March;
   RayMarcher Marcher;
   std::unique_ptr<LitMinusBlocked> Difference; ///< Guided, Soft, Volume
+  std::vector<PixelRay> Rays;    ///< of the pixel
+  std::vector<double> Integrals; ///< of the pixel, per group
   vtkIdType OcclusionRays = 0;
+  vtkIdType ThickRays = 0;
+  double ThickestStep = 0.0;
 };
 
 } // namespace shadowcones

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace shadowcones
 {
@@ -14,65 +15,105 @@ namespace
 constexpr double largestTurn = 25.0 * 3.14159265358979323846 / 180.0;
 /// By so much, as a sine, may the way from hit to hit leave the surfaces beyond their own turn before it is a jump.
 constexpr double smallestJump = 0.1;
+/// Rays that look for surfaces in a pixel at an edge, for each of NumberOfEdgeSamples.
+constexpr int looksOfEdgeSample = 16;
+/// Surfaces of a pixel for each of NumberOfEdgeSamples; of more, such as leaves, only some are looked at.
+constexpr std::size_t mostSurfaces = 2;
 /// Pixels whose rays are traced at once.
 constexpr int blockWidth = 4;
 constexpr int blockHeight = OccluderScene::PacketSize / blockWidth;
 
-/// The block of a pixel, which may lie left of or below the image.
-int BlockOf(int pixel, int side)
+/// Points spread over the unit square around 0, no two in one row or column: four of them are the rotated grid.
+std::vector<std::array<double, 2>> SpreadOffsets(int count)
 {
-  return pixel >= 0 ? pixel / side : -((side - 1 - pixel) / side);
+  // A lattice whose step is coprime to count + 1 and nearest to the golden ratio of it.
+  const int modulus = count + 1;
+  const double wanted = 0.61803398874989485 * modulus;
+  int step = 1;
+  for (int candidate = 1; candidate < modulus; ++candidate)
+  {
+    if (std::gcd(candidate, modulus) == 1 && std::fabs(candidate - wanted) < std::fabs(step - wanted))
+    {
+      step = candidate;
+    }
+  }
+  std::vector<std::array<double, 2>> offsets;
+  for (int k = 1; k <= count; ++k)
+  {
+    const auto row = static_cast<int>(static_cast<long long>(step) * k % modulus);
+    offsets.push_back({ (k - 0.5) / count - 0.5, (row - 0.5) / count - 0.5 });
+  }
+  return offsets;
 }
 
 } // namespace
 
 PrimaryHits::PrimaryHits(
-  const ScatteringScene& scene, const ScatteringOptions& options, const VisibleLight* visibleLight)
+  const ScatteringScene& scene, const ScatteringOptions& options, const std::vector<VisibleLight>& visibleLights)
   : Scene(scene)
   , Options(options)
-  , Visible(visibleLight)
-  , Apron(options.NumberOfEdgeSamples > 1 ? 1 : 0)
-  , First{ options.Extent[0] - Apron, options.Extent[2] - Apron }
-  , Columns(options.Extent[1] - options.Extent[0] + 1 + 2 * Apron)
-  , Rows(options.Extent[3] - options.Extent[2] + 1 + 2 * Apron)
+  , Visible(visibleLights)
+  , FindsEdges(options.NumberOfEdgeSamples > 1)
+  , Centers(this->LatticeOver(0.0, 0))
 {
+  if (this->FindsEdges)
+  {
+    this->Corners = this->LatticeOver(-0.5, 1);
+    this->EdgeOffsets = SpreadOffsets(looksOfEdgeSample * options.NumberOfEdgeSamples);
+  }
+}
+
+PrimaryHits::Lattice PrimaryHits::LatticeOver(double shift, int more) const
+{
+  Lattice lattice;
+  lattice.Shift = shift;
+  lattice.First = { this->Options.Extent[0], this->Options.Extent[2] };
+  lattice.Columns = std::max(this->Options.Extent[1] - this->Options.Extent[0] + 1, 0) + more;
+  lattice.Rows = std::max(this->Options.Extent[3] - this->Options.Extent[2] + 1, 0) + more;
+  return lattice;
 }
 
 bool PrimaryHits::Trace(const Monitor& monitor)
 {
-  this->Hits.resize(static_cast<std::size_t>(this->Columns) * static_cast<std::size_t>(this->Rows));
-  const int firstBlock[2] = { BlockOf(this->First[0], blockWidth), BlockOf(this->First[1], blockHeight) };
-  const int columns = BlockOf(this->First[0] + this->Columns - 1, blockWidth) - firstBlock[0] + 1;
-  const int rows = BlockOf(this->First[1] + this->Rows - 1, blockHeight) - firstBlock[1] + 1;
+  return this->Trace(this->Centers, monitor.Part(0.0, this->FindsEdges ? 0.5 : 1.0)) &&
+    (!this->FindsEdges || this->Trace(this->Corners, monitor.Part(0.5, 1.0)));
+}
+
+bool PrimaryHits::Trace(Lattice& lattice, const Monitor& monitor) const
+{
+  lattice.Hits.resize(static_cast<std::size_t>(lattice.Columns) * static_cast<std::size_t>(lattice.Rows));
+  const int firstBlock[2] = { lattice.First[0] / blockWidth, lattice.First[1] / blockHeight };
+  const int columns = (lattice.First[0] + lattice.Columns - 1) / blockWidth - firstBlock[0] + 1;
+  const int rows = (lattice.First[1] + lattice.Rows - 1) / blockHeight - firstBlock[1] + 1;
   return ParallelFor(static_cast<vtkIdType>(columns) * rows, monitor,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType block = begin; block < end; ++block)
       {
         this->TraceBlock(blockWidth * (firstBlock[0] + static_cast<int>(block % columns)),
-          blockHeight * (firstBlock[1] + static_cast<int>(block / columns)));
+          blockHeight * (firstBlock[1] + static_cast<int>(block / columns)), lattice);
       }
     });
 }
 
 /// Trace a whole block, and keep what is wanted of it: a ray's neighbours are the same for every extent.
-void PrimaryHits::TraceBlock(int i, int j)
+void PrimaryHits::TraceBlock(int i, int j, Lattice& lattice) const
 {
   constexpr int count = blockWidth * blockHeight;
   Ray rays[count];
   PrimaryHit hits[count];
   for (int k = 0; k < count; ++k)
   {
-    rays[k] = this->RayOf(i + k % blockWidth, j + k / blockWidth);
+    rays[k] = this->RayOf(i + k % blockWidth + lattice.Shift, j + k / blockWidth + lattice.Shift);
   }
   this->Find(rays, count, hits);
   for (int k = 0; k < count; ++k)
   {
-    const int column = i + k % blockWidth - this->First[0];
-    const int row = j + k / blockWidth - this->First[1];
-    if (column >= 0 && column < this->Columns && row >= 0 && row < this->Rows)
+    const int column = i + k % blockWidth - lattice.First[0];
+    const int row = j + k / blockWidth - lattice.First[1];
+    if (column >= 0 && column < lattice.Columns && row >= 0 && row < lattice.Rows)
     {
-      this->Hits[static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Columns) +
+      lattice.Hits[static_cast<std::size_t>(row) * static_cast<std::size_t>(lattice.Columns) +
         static_cast<std::size_t>(column)] = hits[k];
     }
   }
@@ -106,24 +147,114 @@ void PrimaryHits::Find(const Ray* rays, int count, PrimaryHit* hits) const
       double t = 0.0;
       double scale = 0.0;
       // A mesh that is both lamp and occluder is a surface at the very same place.
-      hit.SeesLight =
-        this->Visible && this->Visible->Intersect(origins[k], directions[k], hit.T + occluders.Epsilon(), t, scale);
+      for (std::size_t light = 0; light < this->Visible.size(); ++light)
+      {
+        const bool sees =
+          this->Visible[light].Intersect(origins[k], directions[k], hit.T + RoundingAlong(origins[k], hit.T), t, scale);
+        hit.LightsSeen |= static_cast<std::uint64_t>(sees) << (light % 64);
+      }
     }
   }
 }
 
-bool PrimaryHits::IsEdge(int i, int j) const
+void PrimaryHits::RaysOf(int i, int j, std::vector<PixelRay>& rays) const
 {
-  return this->Apron > 0 &&
-    (this->Differ(i, j, i - 1, j) || this->Differ(i, j, i + 1, j) || this->Differ(i, j, i, j - 1) ||
-      this->Differ(i, j, i, j + 1));
+  rays.assign(1, { 1.0 * i, 1.0 * j, this->RayOf(i, j), this->At(i, j), 1.0 });
+  if (!this->IsEdge(i, j))
+  {
+    return;
+  }
+  thread_local std::vector<Ray> lines;
+  thread_local std::vector<PrimaryHit> hits;
+  thread_local std::vector<std::vector<std::size_t>> surfaces; // the rays that see each, beginning with the centre's
+  const std::size_t count = this->EdgeOffsets.size();
+  lines.resize(count);
+  hits.resize(count);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    lines[k] = this->RayOf(i + this->EdgeOffsets[k][0], j + this->EdgeOffsets[k][1]);
+  }
+  this->Find(lines.data(), static_cast<int>(count), hits.data());
+  surfaces.assign(1, {});
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    std::size_t surface = this->Differ(rays[0].Line, rays[0].Hit, lines[k], hits[k]) ? 1 : 0;
+    while (surface > 0 && surface < surfaces.size() &&
+      this->Differ(lines[surfaces[surface][0]], hits[surfaces[surface][0]], lines[k], hits[k]))
+    {
+      ++surface;
+    }
+    surfaces.resize(std::max(surfaces.size(), surface + 1));
+    surfaces[surface].push_back(k);
+  }
+  if (surfaces.size() == 1)
+  {
+    return;
+  }
+
+  rays.clear();
+  const auto rayAt = [&](std::size_t k, double share)
+  { return PixelRay{ i + this->EdgeOffsets[k][0], j + this->EdgeOffsets[k][1], lines[k], hits[k], share }; };
+  const std::size_t most = mostSurfaces * static_cast<std::size_t>(this->Options.NumberOfEdgeSamples);
+  if (surfaces.size() > most)
+  {
+    for (std::size_t k = 0; k < most; ++k)
+    {
+      const std::size_t ray = k * count / most;
+      rays.push_back(rayAt(ray, 1.0 / static_cast<double>(most)));
+    }
+    return;
+  }
+  for (const std::vector<std::size_t>& seen : surfaces)
+  {
+    if (!seen.empty())
+    {
+      const std::size_t ray = this->MiddleOf(seen);
+      rays.push_back(rayAt(ray, static_cast<double>(seen.size()) / static_cast<double>(count)));
+    }
+  }
 }
 
-bool PrimaryHits::Differ(int i, int j, int otherI, int otherJ) const
+/// Of rays that see the same surface the one nearest to the middle of them.
+std::size_t PrimaryHits::MiddleOf(const std::vector<std::size_t>& seen) const
 {
-  const PrimaryHit& a = this->At(i, j);
-  const PrimaryHit& b = this->At(otherI, otherJ);
-  if (a.SeesLight != b.SeesLight)
+  double x = 0.0;
+  double y = 0.0;
+  for (const std::size_t k : seen)
+  {
+    x += this->EdgeOffsets[k][0] / static_cast<double>(seen.size());
+    y += this->EdgeOffsets[k][1] / static_cast<double>(seen.size());
+  }
+  const auto distance = [&](std::size_t k)
+  { return std::hypot(this->EdgeOffsets[k][0] - x, this->EdgeOffsets[k][1] - y); };
+  return *std::min_element(
+    seen.begin(), seen.end(), [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+}
+
+bool PrimaryHits::IsEdge(int i, int j) const
+{
+  if (!this->FindsEdges)
+  {
+    return false;
+  }
+  const Ray ray = this->RayOf(i, j);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const int cornerI = i + corner % 2;
+    const int cornerJ = j + corner / 2;
+    const PrimaryHit& hit = this->Corners.At(cornerI, cornerJ);
+    if (this->Differ(ray, this->At(i, j), this->RayOf(cornerI - 0.5, cornerJ - 0.5), hit))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool PrimaryHits::Differ(
+  const Ray& rayA, const PrimaryHit& a, const Ray& rayB, const PrimaryHit& b) const
+{
+  if (a.LightsSeen != b.LightsSeen)
   {
     return true;
   }
@@ -137,8 +268,6 @@ bool PrimaryHits::Differ(int i, int j, int otherI, int otherJ) const
   {
     return true;
   }
-  const Ray rayA = this->RayOf(i, j);
-  const Ray rayB = this->RayOf(otherI, otherJ);
   const Vector3 normalA = NormalTowards(occluders, rayA, a);
   const Vector3 normalB = NormalTowards(occluders, rayB, b);
   if (Dot(normalA, normalB) < std::cos(largestTurn))

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace shadowcones
@@ -22,9 +23,20 @@ struct PrimaryHit
 {
   double T = HUGE_VAL;     ///< distance; infinite where there is none
   vtkIdType Triangle = -1; ///< -1 where there is none
-  bool SeesLight = false;  ///< the light itself is before the surface
+  /// The lights that are before the surface: bit k % 64 for the k-th.
+  std::uint64_t LightsSeen = 0;
 
   bool HasSurface() const { return this->Triangle >= 0; }
+};
+
+/// A camera ray, and the share of its pixel that it stands for.
+struct PixelRay
+{
+  double I = 0.0; ///< where it pierces the image, in pixels
+  double J = 0.0;
+  Ray Line;
+  PrimaryHit Hit;
+  double Share = 1.0;
 };
 
 /// The part of a camera ray inside the medium's bounds, up to the first surface.
@@ -48,7 +60,7 @@ inline MediumSegment SegmentInside(
   if (segment.Crosses && hit.HasSurface() && segment.End >= hit.T)
   {
     const double cosine = std::fabs(Dot(ray.Direction, occluders.TriangleNormal(hit.Triangle)));
-    const double gap = 4.0 * occluders.Epsilon() / std::max(cosine, 0.01);
+    const double gap = 4.0 * RoundingAlong(ray.Origin, hit.T) / std::max(cosine, 0.01);
     segment.EndOfMarch = std::max(segment.End - gap, 0.5 * (segment.Begin + segment.End));
   }
   return segment;
@@ -61,50 +73,72 @@ inline Vector3 NormalTowards(const OccluderScene& occluders, const Ray& ray, con
   return Dot(normal, ray.Direction) > 0.0 ? -normal : normal;
 }
 
-/// The nearest surface of every pixel of an extent, and where neighbours see different ones.
+/// The nearest surface of every pixel of an extent, and which pixels see several.
 class PrimaryHits
 {
 public:
-  /// Everything is referred to and must outlive the hits. @p visibleLight nullptr: the camera does not see the light.
-  PrimaryHits(const ScatteringScene& scene, const ScatteringOptions& options, const VisibleLight* visibleLight);
+  /// Everything is referred to and must outlive the hits. Of the scene the light does not matter; @p visibleLights are
+  /// those that the camera sees.
+  PrimaryHits(
+    const ScatteringScene& scene, const ScatteringOptions& options, const std::vector<VisibleLight>& visibleLights);
 
-  /// Trace the rays of @p options.Extent and, where edges are anti-aliased, of one pixel around it, those outside the
-  /// image too. @return false where aborted.
+  /// Trace the rays through the centres of the pixels of @p options.Extent and, where edges are anti-aliased, through
+  /// their corners. @return false where aborted.
   bool Trace(const Monitor& monitor);
 
   Ray RayOf(double i, double j) const
   {
     return this->Scene.Eye.PixelRay(i, j, this->Options.Width, this->Options.Height);
   }
-  /// The nearest surfaces along rays that run close together.
-  void Find(const Ray* rays, int count, PrimaryHit* hits) const;
-  /// That of pixel (i, j), counted over the whole image.
-  const PrimaryHit& At(int i, int j) const
-  {
-    const auto row = static_cast<std::size_t>(j - this->First[1]);
-    return this->Hits[row * static_cast<std::size_t>(this->Columns) + static_cast<std::size_t>(i - this->First[0])];
-  }
+  /**
+   * What a pixel is the mean of: the ray through its centre, and at an edge one ray for each surface that is seen in
+   * the pixel, with the share of the pixel that it covers. That share comes from 16 rays for each of
+   * NumberOfEdgeSamples: a bright rim that is thinner than a pixel does not come and go along its way. @p rays is
+   * overwritten; shares sum to 1.
+   */
+  void RaysOf(int i, int j, std::vector<PixelRay>& rays) const;
+  /// The centre of pixel (i, j), counted over the whole image.
+  const PrimaryHit& At(int i, int j) const { return this->Centers.At(i, j); }
 
   /**
-   * Does one of its four neighbours see another surface: none, one of another occluder or reflectance, one at more than
-   * 25 degrees, or one that the surface does not lead to? Or does the one see the light and the other does not? Never,
-   * where edges are not anti-aliased.
+   * Does one of its corners see another surface than its centre: none, one of another occluder or reflectance, one at
+   * more than 25 degrees, or one that the surface does not lead to? Or does the one see a light and the other does
+   * not? Never, where edges are not anti-aliased.
    */
   bool IsEdge(int i, int j) const;
 
 private:
-  void TraceBlock(int i, int j);
-  bool Differ(int i, int j, int otherI, int otherJ) const;
+  /// What rays see that are a pixel apart.
+  struct Lattice
+  {
+    double Shift = 0.0; ///< of its rays from the pixels' centres
+    std::array<int, 2> First{ 0, 0 };
+    int Columns = 0;
+    int Rows = 0;
+    std::vector<PrimaryHit> Hits;
+
+    const PrimaryHit& At(int i, int j) const
+    {
+      const auto row = static_cast<std::size_t>(j - this->First[1]);
+      return this->Hits[row * static_cast<std::size_t>(this->Columns) + static_cast<std::size_t>(i - this->First[0])];
+    }
+  };
+  Lattice LatticeOver(double shift, int more) const;
+  bool Trace(Lattice& lattice, const Monitor& monitor) const;
+  void TraceBlock(int i, int j, Lattice& lattice) const;
+  void Find(const Ray* rays, int count, PrimaryHit* hits) const;
+  bool Differ(const Ray& rayA, const PrimaryHit& a, const Ray& rayB, const PrimaryHit& b) const;
+  std::size_t MiddleOf(const std::vector<std::size_t>& seen) const;
   bool SameReflectance(vtkIdType a, vtkIdType b) const;
 
   const ScatteringScene& Scene;
   const ScatteringOptions& Options;
-  const VisibleLight* const Visible;
-  const int Apron;
-  std::array<int, 2> First; ///< pixel of Hits[0]
-  int Columns;
-  int Rows;
-  std::vector<PrimaryHit> Hits;
+  const std::vector<VisibleLight>& Visible;
+  const bool FindsEdges;
+  Lattice Centers;
+  Lattice Corners; ///< (i, j): of pixel (i, j) the one next to pixel (i - 1, j - 1)
+  /// Of the rays that look into a pixel at an edge, from its centre, in pixels.
+  std::vector<std::array<double, 2>> EdgeOffsets;
 };
 
 } // namespace shadowcones

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scRayMarcher.h"
 
+#include "scLampPlane.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace shadowcones
 {
@@ -19,8 +22,15 @@ RayMarcher::RayMarcher(const MarchScene& scene)
   , NumberOfGroups(scene.Groups.Count())
   , Sampler(scene.LightSource, scene.Options.Sampling)
   , Depth(scene.Fog)
+  , Rules(scene.Occluders.RulesFor(FlatFaceOf(scene.LightSource)))
   , Intensities(static_cast<std::size_t>(scene.Strata.Count()))
 {
+  for (int g = 0; g < this->NumberOfGroups; ++g)
+  {
+    const auto group = static_cast<std::size_t>(g);
+    const double sigmaT = scene.Groups.MeanSource[group] > 0.0 ? scene.Groups.SigmaT[group] : 0.0;
+    this->LargestSigmaT = std::max(this->LargestSigmaT, sigmaT);
+  }
 }
 
 void RayMarcher::March(const Ray& ray, double tBegin, double tEnd, std::uint64_t pixel)
@@ -30,6 +40,10 @@ void RayMarcher::March(const Ray& ray, double tBegin, double tEnd, std::uint64_t
   this->PixelSeed = HashSeed(this->Scene.Options.Seed, pixel);
   this->Sums.assign(static_cast<std::size_t>(this->NumberOfGroups), 0.0);
   this->SumOfVariances = 0.0;
+  this->SumOfLeaves = 0.0;
+  this->SumOfExcess = 0.0;
+  this->WorstExcess = 0.0;
+  this->WorstDepth = 0.0;
   this->Samples = 0;
   this->OcclusionRays = 0;
 
@@ -154,7 +168,6 @@ void RayMarcher::Evaluate(Node& node)
   const Vector3 point = this->CameraRay.Origin + node.T * this->CameraRay.Direction;
   const bool testOcclusion = this->NeedsOcclusionRays(node.T);
   const double cameraLeg = this->Depth.Along(node.T);
-  const double epsilon = scene.Occluders.Epsilon();
   const int groups = this->NumberOfGroups;
   const double* sigmaT = scene.Groups.SigmaT.data();
   const double* meanSource = scene.Groups.MeanSource.data();
@@ -172,7 +185,7 @@ void RayMarcher::Evaluate(Node& node)
     if (sample.Weight > 0.0)
     {
       this->OcclusionRays += testOcclusion ? 1 : 0;
-      if (!testOcclusion || !scene.Occluders.Occluded(point, sample.Direction, epsilon, sample.Distance - epsilon))
+      if (!testOcclusion || !scene.Occluders.Occluded(point, sample.Direction, 0.0, sample.Distance, this->Rules))
       {
         const double cosine = Dot(sample.Direction, this->CameraRay.Direction);
         const double source = sample.Weight * EvaluatePhaseFunction(scene.Fog.Phase, cosine);
@@ -213,9 +226,24 @@ void RayMarcher::Refine(const Node& a, const Node& b, int depth)
     return;
   }
   // A leaf: leaves come from left to right, so the weight of a is complete now.
+  this->RateStep(a, b, density);
   const double half = 0.5 * (b.T - a.T) * density;
   this->Add(a, this->PendingWeight + half);
   this->PendingWeight = half;
+}
+
+void RayMarcher::RateStep(const Node& a, const Node& b, double density)
+{
+  const double light = 0.5 * (b.T - a.T) * density * (a.Intensity + b.Intensity);
+  const double depth = this->LargestSigmaT * density * (b.T - a.T);
+  const double excess = depth > 1e-3 ? light * (1.0 - std::tanh(depth) / depth) : 0.0;
+  this->SumOfLeaves += light;
+  this->SumOfExcess += excess;
+  if (excess > this->WorstExcess)
+  {
+    this->WorstExcess = excess;
+    this->WorstDepth = depth;
+  }
 }
 
 void RayMarcher::Add(const Node& node, double weight)

@@ -47,7 +47,14 @@ public:
   const std::vector<double>& Integrals() const { return this->Sums; }
   /// Squared standard error of the mean over wavelengths of the in-scattered radiance.
   double Variance() const { return this->SumOfVariances; }
-  int SampleCount() const { return this->Samples; }
+  vtkIdType SampleCount() const { return this->Samples; }
+  /**
+   * The share of the integral by which steps may be too bright that light hardly passes: exp(-2 x) over a step of
+   * optical depth x is too large by x / tanh(x) where its ends stand for all of it.
+   */
+  double Excess() const { return this->SumOfLeaves > 0.0 ? this->SumOfExcess / this->SumOfLeaves : 0.0; }
+  /// Optical depth of the step that adds most to that.
+  double OpticalDepthOfStep() const { return this->WorstDepth; }
   vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
 
 private:
@@ -73,11 +80,13 @@ private:
   bool NeedsOcclusionRays(double t) const;
   void Refine(const Node& a, const Node& b, int depth);
   void Add(const Node& node, double weight);
+  void RateStep(const Node& a, const Node& b, double density);
 
   const MarchScene& Scene;
   const int NumberOfGroups;
   LightSampler Sampler;
   MediumDepth Depth;
+  const RayRules Rules; ///< for what is flush with the light
   std::vector<double> Intensities; ///< of the light samples of one node
   Ray CameraRay;
   std::uint64_t PixelSeed = 0;
@@ -90,7 +99,12 @@ private:
   std::vector<double> Values; ///< NumberOfGroups a slot: one slot a base node, then one a level of halving
   std::vector<double> Sums;
   double SumOfVariances = 0.0;
-  int Samples = 0;
+  double LargestSigmaT = 0.0;
+  double SumOfLeaves = 0.0; ///< intensities times lengths of steps
+  double SumOfExcess = 0.0;
+  double WorstExcess = 0.0;
+  double WorstDepth = 0.0;
+  vtkIdType Samples = 0;
   vtkIdType OcclusionRays = 0;
 };
 

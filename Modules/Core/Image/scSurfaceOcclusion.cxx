@@ -23,7 +23,7 @@ SurfaceOcclusion::SurfaceOcclusion(const ScatteringScene& scene, const Scatterin
       largest = std::max(largest, cone.BaseRadius);
     }
     // Surfaces outside the medium lie in shadow too.
-    const double margin = 10.0 * scene.Occluders.Epsilon();
+    const double margin = 1e-5 * scene.Occluders.Bounds().Diagonal();
     const Vector3 reach{ margin, margin, margin };
     const Box& box = scene.Occluders.Bounds();
     this->Cones = std::make_unique<ConeHierarchy>(

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scSurfaceShader.h"
 
+#include "scLampPlane.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace shadowcones
 {
@@ -13,74 +14,55 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Points spread over the unit square around 0, no two in one row or column: four of them are the rotated grid.
-std::vector<std::array<double, 2>> SpreadOffsets(int count)
-{
-  // A lattice whose step is coprime to count + 1 and nearest to the golden ratio of it.
-  const int modulus = count + 1;
-  const double wanted = 0.61803398874989485 * modulus;
-  int step = 1;
-  for (int candidate = 1; candidate < modulus; ++candidate)
-  {
-    if (std::gcd(candidate, modulus) == 1 && std::fabs(candidate - wanted) < std::fabs(step - wanted))
-    {
-      step = candidate;
-    }
-  }
-  std::vector<std::array<double, 2>> offsets;
-  for (int k = 1; k <= count; ++k)
-  {
-    const auto row = static_cast<int>(static_cast<long long>(step) * k % modulus);
-    offsets.push_back({ (k - 0.5) / count - 0.5, (row - 0.5) / count - 0.5 });
-  }
-  return offsets;
-}
-
-/// So many light samples for each of several rays that together they are at least @p samples.
-int ShareOf(int samples, int rays)
-{
-  return (samples + rays - 1) / rays;
-}
-
 } // namespace
 
-ShadingScene::ShadingScene(const ScatteringScene& scene, const ScatteringOptions& options,
-  const ExtinctionGroups& groups, const VisibleLight& visibleLight, const PrimaryHits& hits)
+ShadingLight::ShadingLight(const ScatteringScene& scene, const ScatteringOptions& options)
   : Scene(scene)
-  , Options(options)
-  , Groups(groups)
-  , Visible(visibleLight)
-  , Hits(hits)
   , Occlusion(scene, options)
-  , Strata(options.NumberOfSurfaceLightSamples)
-  , EdgeStrata(ShareOf(options.NumberOfSurfaceLightSamples, std::max(options.NumberOfEdgeSamples, 1)))
-  , EdgeOffsets(SpreadOffsets(std::max(options.NumberOfEdgeSamples, 1)))
-  , UsesRule(options.Mode >= ScatteringMode::Guided && scene.Source.Shape != LightShape::Mesh)
+  , Rules(scene.Occluders.RulesFor(FlatFaceOf(scene.Source)))
+  , UsesRule(!IsMarched(options.Mode) && scene.Source.Shape != LightShape::Mesh)
   , Rule(scene.Source, 0)
   , NearRule(scene.Source, 2)
 {
 }
 
-const LightRule& ShadingScene::RuleAt(const Vector3& point) const
+const LightRule& ShadingLight::RuleAt(const Vector3& point) const
 {
   const bool planar = this->Scene.Source.Shape == LightShape::Disc || this->Scene.Source.Shape == LightShape::Rectangle;
   return planar && !this->Rule.IsByArea(point) ? this->NearRule : this->Rule;
 }
 
+ShadingScene::ShadingScene(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options,
+  const std::vector<VisibleLight>& visibleLights, const PrimaryHits& hits)
+  : Scenes(scenes)
+  , Options(options)
+  , Groups(scenes.front().Source.Spectrum, scenes.front().Fog)
+  , Visible(visibleLights)
+  , Hits(hits)
+  , Strata(options.NumberOfSurfaceLightSamples)
+  , EdgeStrata((options.NumberOfSurfaceLightSamples + 1) / 2)
+{
+  for (const ScatteringScene& scene : scenes)
+  {
+    this->Lights.push_back(std::make_unique<ShadingLight>(scene, options));
+  }
+}
+
 SurfaceShader::SurfaceShader(const ShadingScene& shading, ScatteringImage& image)
   : Shading(shading)
-  , Scene(shading.Scene)
+  , Scene(shading.Scenes.front())
   , Options(shading.Options)
   , Groups(shading.Groups)
   , Image(image)
-  , Depth(shading.Scene.Fog)
-  , Sampler(shading.Scene.Source, shading.Options.Sampling)
-  , EdgeRays(shading.EdgeOffsets.size())
-  , EdgeHits(shading.EdgeOffsets.size())
+  , Depth(shading.Scenes.front().Fog)
   , Surface(shading.Groups.GroupOf.size())
   , SeenLight(shading.Groups.GroupOf.size())
   , Sums(static_cast<std::size_t>(shading.Groups.Count()))
 {
+  for (const ScatteringScene& scene : shading.Scenes)
+  {
+    this->Samplers.emplace_back(scene.Source, shading.Options.Sampling);
+  }
 }
 
 double SurfaceShader::SigmaT(std::size_t wavelength) const
@@ -98,23 +80,13 @@ void SurfaceShader::Shade(int i, int j)
 
   std::fill(this->Surface.begin(), this->Surface.end(), 0.0);
   std::fill(this->SeenLight.begin(), this->SeenLight.end(), 0.0);
-  if (hits.IsEdge(i, j))
+  hits.RaysOf(i, j, this->Rays);
+  const bool isEdge = this->Rays.size() > 1;
+  for (std::size_t k = 0; k < this->Rays.size(); ++k)
   {
-    const std::size_t count = this->EdgeRays.size();
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      this->EdgeRays[k] = hits.RayOf(i + this->Shading.EdgeOffsets[k][0], j + this->Shading.EdgeOffsets[k][1]);
-    }
-    hits.Find(this->EdgeRays.data(), static_cast<int>(count), this->EdgeHits.data());
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      this->AddRay(
-        this->EdgeRays[k], this->EdgeHits[k], this->Shading.EdgeStrata, pixel, k + 1, 1.0 / static_cast<double>(count));
-    }
-  }
-  else
-  {
-    this->AddRay(ray, hit, this->Shading.Strata, pixel, 0, 1.0);
+    const PixelRay& part = this->Rays[k];
+    this->AddRay(part.Line, part.Hit, isEdge ? this->Shading.EdgeStrata : this->Shading.Strata, pixel,
+      isEdge ? k + 1 : 0, part.Share);
   }
 
   this->Image.Depth[index] = hit.HasSurface() ? static_cast<float>(hit.T) : -1.0f;
@@ -143,7 +115,7 @@ void SurfaceShader::AddRay(const Ray& ray, const PrimaryHit& hit, const LightStr
     // Keys of march nodes end in 16 bits below the number of steps: these are no node's.
     this->AddSurface(ray, hit, strata, RandomStream(HashSeed(this->Options.Seed, pixel), ~key), share);
   }
-  if (hit.SeesLight)
+  if (hit.LightsSeen)
   {
     this->AddLight(ray, hit, share);
   }
@@ -154,32 +126,41 @@ void SurfaceShader::AddSurface(
   const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, RandomStream random, double share)
 {
   const OccluderScene& occluders = this->Scene.Occluders;
-  if (this->Options.Mode == ScatteringMode::Fast && this->InForeignCone(ray, hit))
-  {
-    return;
-  }
   const Vector3 normal = NormalTowards(occluders, ray, hit);
-  const Vector3 point = ray.Origin + hit.T * ray.Direction + occluders.Epsilon() * normal;
-  const bool trace = this->Shading.Occlusion.NeedsRays(point);
-  this->Point = point;
-  this->PointInside = this->Scene.Fog.Bounds.Contains(point);
+  this->Point = ray.Origin + hit.T * ray.Direction + RoundingAlong(ray.Origin, hit.T) * normal;
+  this->PointInside = this->Scene.Fog.Bounds.Contains(this->Point);
   this->CameraDepth = this->Depth.TowardsFromOutside(ray.Origin, ray.Direction, hit.T);
-  std::fill(this->Sums.begin(), this->Sums.end(), 0.0);
-  if (!trace && this->Shading.UsesRule)
+  for (std::size_t light = 0; light < this->Shading.Lights.size(); ++light)
   {
-    this->AddRule(normal);
+    const ConeHierarchy* cones = this->Shading.Scenes[light].Cones;
+    if (this->Options.Mode != ScatteringMode::Fast || !this->InForeignCone(cones, ray, hit))
+    {
+      this->AddSurfaceLight(light, normal, hit.Triangle, strata, random, share);
+    }
+  }
+}
+
+void SurfaceShader::AddSurfaceLight(std::size_t light, const Vector3& normal, vtkIdType triangle,
+  const LightStrata& strata, RandomStream random, double share)
+{
+  const ShadingLight& shading = *this->Shading.Lights[light];
+  const bool trace = shading.Occlusion.NeedsRays(this->Point);
+  std::fill(this->Sums.begin(), this->Sums.end(), 0.0);
+  if (!trace && shading.UsesRule)
+  {
+    this->AddRule(shading.RuleAt(this->Point), normal);
   }
   else
   {
-    this->AddSamples(normal, strata, trace, random);
+    this->AddSamples(light, normal, strata, trace, random);
   }
 
-  const double scale = share * this->Shading.Occlusion.VisibleFraction(point, normal) / pi;
+  const double scale = share * shading.Occlusion.VisibleFraction(this->Point, normal) / pi;
   for (std::size_t k = 0; k < this->Surface.size(); ++k)
   {
     const double irradiance =
-      this->Scene.Source.Spectrum[k] * this->Sums[static_cast<std::size_t>(this->Groups.GroupOf[k])];
-    this->Surface[k] += scale * this->Reflectance(hit.Triangle, k) * irradiance;
+      shading.Scene.Source.Spectrum[k] * this->Sums[static_cast<std::size_t>(this->Groups.GroupOf[k])];
+    this->Surface[k] += scale * this->Reflectance(triangle, k) * irradiance;
   }
 }
 
@@ -200,9 +181,8 @@ void SurfaceShader::AddLit(const Vector3& direction, double distance, double wei
 }
 
 /// Add the light that nothing hides, without noise.
-void SurfaceShader::AddRule(const Vector3& normal)
+void SurfaceShader::AddRule(const LightRule& rule, const Vector3& normal)
 {
-  const LightRule& rule = this->Shading.RuleAt(this->Point);
   if (!this->PointInside || !this->Depth.IsHomogeneous() || !rule.IsByArea(this->Point))
   {
     rule.ForEach(this->Point,
@@ -231,18 +211,20 @@ void SurfaceShader::AddRule(const Vector3& normal)
 }
 
 /// Add stratified samples of the light, those that the mesh hides left out where @p trace.
-void SurfaceShader::AddSamples(const Vector3& normal, const LightStrata& strata, bool trace, RandomStream& random)
+void SurfaceShader::AddSamples(
+  std::size_t light, const Vector3& normal, const LightStrata& strata, bool trace, RandomStream& random)
 {
-  this->Sampler.MoveTo(this->Point);
+  LightSampler& sampler = this->Samplers[light];
+  sampler.MoveTo(this->Point);
   const int count = strata.Count();
   const double inverse = 1.0 / count;
   for (int first = 0; first < count; first += LightBatch::Size)
   {
     const int size = std::min(count - first, LightBatch::Size);
-    std::uint64_t seen = this->DrawBatch(normal, strata, first, size, random);
+    std::uint64_t seen = this->DrawBatch(sampler, normal, strata, first, size, random);
     if (trace)
     {
-      seen &= ~this->Occluded(seen);
+      seen &= ~this->Occluded(light, seen);
     }
     for (int s = 0; s < size; ++s)
     {
@@ -255,15 +237,15 @@ void SurfaceShader::AddSamples(const Vector3& normal, const LightStrata& strata,
 }
 
 /// Fill the batch; the answer has a bit for each sample that sends light to the surface if nothing is in the way.
-std::uint64_t SurfaceShader::DrawBatch(
-  const Vector3& normal, const LightStrata& strata, int first, int size, RandomStream& random)
+std::uint64_t SurfaceShader::DrawBatch(LightSampler& sampler, const Vector3& normal, const LightStrata& strata,
+  int first, int size, RandomStream& random)
 {
   LightBatch& batch = this->Batch;
   std::uint64_t lit = 0;
   for (int s = 0; s < size; ++s)
   {
     const LightStrata::Point uv = strata.Draw(first + s, random);
-    const IncidentSample sample = this->Sampler.Sample(uv.U, uv.V);
+    const IncidentSample sample = sampler.Sample(uv.U, uv.V);
     const double cosine = Dot(sample.Direction, normal);
     batch.Directions[s] = sample.Direction;
     batch.Distances[s] = sample.Distance;
@@ -274,10 +256,10 @@ std::uint64_t SurfaceShader::DrawBatch(
 }
 
 /// Which of the wanted samples of the batch does the mesh hide?
-std::uint64_t SurfaceShader::Occluded(std::uint64_t wanted)
+std::uint64_t SurfaceShader::Occluded(std::size_t light, std::uint64_t wanted)
 {
   LightBatch& batch = this->Batch;
-  const bool infinity = IsAtInfinity(this->Scene.Source);
+  const bool infinity = IsAtInfinity(this->Shading.Scenes[light].Source);
   for (int s = 0; s < LightBatch::Size; ++s)
   {
     if ((wanted >> s) & 1u)
@@ -289,31 +271,40 @@ std::uint64_t SurfaceShader::Occluded(std::uint64_t wanted)
       ++this->OcclusionRays;
     }
   }
-  return this->Scene.Occluders.OccludedFrom(this->Point, batch.X, batch.Y, batch.Z, wanted, infinity);
+  return this->Scene.Occluders.OccludedFrom(
+    this->Point, batch.X, batch.Y, batch.Z, wanted, infinity, this->Shading.Lights[light]->Rules);
 }
 
 void SurfaceShader::AddLight(const Ray& ray, const PrimaryHit& hit, double share)
 {
-  double t = 0.0;
-  double scale = 0.0;
-  this->Shading.Visible.Intersect(ray.Origin, ray.Direction, hit.T + this->Scene.Occluders.Epsilon(), t, scale);
-  const double depth = this->Depth.TowardsFromOutside(ray.Origin, ray.Direction, t);
-  for (std::size_t k = 0; k < this->SeenLight.size(); ++k)
+  const double end = hit.T + RoundingAlong(ray.Origin, hit.T);
+  for (std::size_t light = 0; light < this->Shading.Visible.size(); ++light)
   {
-    this->SeenLight[k] += share * scale * this->Scene.Source.Spectrum[k] * TransmittanceOver(this->SigmaT(k), depth);
+    double t = 0.0;
+    double scale = 0.0;
+    if (!this->Shading.Visible[light].Intersect(ray.Origin, ray.Direction, end, t, scale))
+    {
+      continue;
+    }
+    const std::vector<double>& spectrum = this->Shading.Scenes[light].Source.Spectrum;
+    const double depth = this->Depth.TowardsFromOutside(ray.Origin, ray.Direction, t);
+    for (std::size_t k = 0; k < this->SeenLight.size(); ++k)
+    {
+      this->SeenLight[k] += share * scale * spectrum[k] * TransmittanceOver(this->SigmaT(k), depth);
+    }
   }
 }
 
 /// Does Fast see the surface in shadow? Cones of the surface's own occluder do not count: their bases lie on it.
-bool SurfaceShader::InForeignCone(const Ray& ray, const PrimaryHit& hit)
+bool SurfaceShader::InForeignCone(const ConeHierarchy* cones, const Ray& ray, const PrimaryHit& hit)
 {
-  if (!this->Scene.Cones)
+  if (!cones)
   {
     return false;
   }
   const OccluderScene& occluders = this->Scene.Occluders;
-  const double probe = std::min(hit.T, 4.0 * occluders.Epsilon());
-  this->Scene.Cones->Intersect(ray.Origin, ray.Direction, hit.T - probe, hit.T, this->Intervals, true);
+  const double probe = 4e-6 * hit.T;
+  cones->Intersect(ray.Origin, ray.Direction, hit.T - probe, hit.T, this->Intervals, true);
   const int own = occluders.Mesh().OccluderId(hit.Triangle);
   return std::any_of(this->Intervals.begin(), this->Intervals.end(),
     [own](const RayInterval& interval) { return interval.OccluderId != own; });

@@ -18,28 +18,20 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace shadowcones
 {
 
-/// What shading the pixels of an image shares.
-struct ShadingScene
+/// What shading by one light shares among pixels.
+struct ShadingLight
 {
-  ShadingScene(const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups,
-    const VisibleLight& visibleLight, const PrimaryHits& hits);
+  ShadingLight(const ScatteringScene& scene, const ScatteringOptions& options);
 
   const ScatteringScene& Scene;
-  const ScatteringOptions& Options;
-  const ExtinctionGroups& Groups;
-  const VisibleLight& Visible;
-  const PrimaryHits& Hits;
   const SurfaceOcclusion Occlusion;
-  const LightStrata Strata;     ///< of a pixel with one ray
-  const LightStrata EdgeStrata; ///< of each ray of a pixel at an edge: together about as many as Strata
-  /// Of the rays of a pixel at an edge from its centre, in pixels.
-  const std::vector<std::array<double, 2>> EdgeOffsets;
-
+  const RayRules Rules; ///< for what is flush with the light
   /// Where nothing can hide the light, the modes that are not bound to the bytes of BruteForce integrate without noise.
   const bool UsesRule;
   /// The rule for light that nothing hides from a surface point.
@@ -50,9 +42,27 @@ private:
   const LightRule NearRule; ///< close to a planar light, where the surface's horizon may cut it
 };
 
+/// What shading the pixels of an image shares.
+struct ShadingScene
+{
+  /// @param scenes one a light; @param visibleLights one a light, or none where the camera does not see them.
+  ShadingScene(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options,
+    const std::vector<VisibleLight>& visibleLights, const PrimaryHits& hits);
+
+  const std::vector<ScatteringScene>& Scenes;
+  const ScatteringOptions& Options;
+  const ExtinctionGroups Groups; ///< their Source is that of the first light
+  const std::vector<VisibleLight>& Visible;
+  const PrimaryHits& Hits;
+  const LightStrata Strata;     ///< of a pixel with one ray
+  const LightStrata EdgeStrata; ///< of each ray of a pixel at an edge: two of them have about as many as Strata
+  std::vector<std::unique_ptr<const ShadingLight>> Lights;
+};
+
 /**
  * Writes "SurfaceRadiance", "Transmittance", "Depth" and, from the finished medium term, "Radiance"; one a thread. A
- * pixel at an edge takes surface and seen light from several rays, the rest from the ray through its centre.
+ * pixel at an edge takes surface and seen light from several rays, depth and transmittance from the one through its
+ * centre.
  */
 class SurfaceShader
 {
@@ -71,13 +81,18 @@ private:
     std::uint64_t key, double share);
   void AddSurface(
     const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, RandomStream random, double share);
+  /// The same for the light of this index, at the point on the surface.
+  void AddSurfaceLight(std::size_t light, const Vector3& normal, vtkIdType triangle, const LightStrata& strata,
+    RandomStream random, double share);
   void AddLit(const Vector3& direction, double distance, double weight);
-  void AddRule(const Vector3& normal);
-  void AddSamples(const Vector3& normal, const LightStrata& strata, bool trace, RandomStream& random);
-  std::uint64_t DrawBatch(const Vector3& normal, const LightStrata& strata, int first, int size, RandomStream& random);
-  std::uint64_t Occluded(std::uint64_t wanted);
+  void AddRule(const LightRule& rule, const Vector3& normal);
+  void AddSamples(
+    std::size_t light, const Vector3& normal, const LightStrata& strata, bool trace, RandomStream& random);
+  std::uint64_t DrawBatch(LightSampler& sampler, const Vector3& normal, const LightStrata& strata, int first, int size,
+    RandomStream& random);
+  std::uint64_t Occluded(std::size_t light, std::uint64_t wanted);
   void AddLight(const Ray& ray, const PrimaryHit& hit, double share);
-  bool InForeignCone(const Ray& ray, const PrimaryHit& hit);
+  bool InForeignCone(const ConeHierarchy* cones, const Ray& ray, const PrimaryHit& hit);
   double Reflectance(vtkIdType triangle, std::size_t wavelength) const;
 
   /// Light samples of one point that are traced together.
@@ -93,19 +108,18 @@ private:
   };
 
   const ShadingScene& Shading;
-  const ScatteringScene& Scene;
+  const ScatteringScene& Scene; ///< of the first light: what all lights share
   const ScatteringOptions& Options;
   const ExtinctionGroups& Groups;
   ScatteringImage& Image;
   const MediumDepth Depth;
-  LightSampler Sampler;
+  std::vector<LightSampler> Samplers; ///< one a light
   LightBatch Batch;
   Vector3 Point; ///< on the surface that is shaded, a little above it
   bool PointInside = false;
   double CameraDepth = 0.0;
   vtkIdType OcclusionRays = 0;
-  std::vector<Ray> EdgeRays;
-  std::vector<PrimaryHit> EdgeHits;
+  std::vector<PixelRay> Rays;    ///< of the pixel
   std::vector<double> Surface;   ///< of the pixel, per wavelength
   std::vector<double> SeenLight; ///< of the pixel, per wavelength
   std::vector<double> Sums;      ///< of one ray, per extinction group

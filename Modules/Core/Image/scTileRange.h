@@ -26,12 +26,18 @@ struct TileRange
 inline std::vector<TileRange> TilesOf(const std::array<int, 4>& extent, int side)
 {
   std::vector<TileRange> tiles;
-  for (int j = extent[2] / side * side; j <= extent[3]; j += side)
+  if (extent[1] < extent[0] || extent[3] < extent[2])
   {
-    for (int i = extent[0] / side * side; i <= extent[1]; i += side)
+    return tiles;
+  }
+  for (int j = extent[2] / side; j <= extent[3] / side; ++j)
+  {
+    for (int i = extent[0] / side; i <= extent[1] / side; ++i)
     {
-      tiles.push_back({ std::max(i, extent[0]), std::min(i + side - 1, extent[1]), std::max(j, extent[2]),
-        std::min(j + side - 1, extent[3]) });
+      // From the tile's other end, so that nothing passes the largest integer.
+      const auto last = [side](int tile, int end) { return end / side > tile ? tile * side + side - 1 : end; };
+      tiles.push_back({ std::max(i * side, extent[0]), last(i, extent[1]), std::max(j * side, extent[2]),
+        last(j, extent[3]) });
     }
   }
   return tiles;

@@ -185,64 +185,73 @@ float VisibilityField::HiddenAt(float x, float y, float z, bool& inBrick) const
   return Trilinear(corner, row, slice, fx, fy, fz);
 }
 
+float VisibilityField::HiddenBetween(const GridRay& ray, float begin, float width, int& looks) const
+{
+  const int parts = std::max(this->Grid.BrickParts, 1);
+  // Two places a grid cell, and two for each part of a refined one: edges of shadows lie anywhere between them.
+  const int places = std::clamp(static_cast<int>(std::ceil(2.0f * width * ray.Speed)), 1, mostPlaces);
+  const float step = width / static_cast<float>(places);
+  float sum = 0.0f;
+  for (int place = 0; place < places; ++place)
+  {
+    const float from = begin + step * static_cast<float>(place);
+    bool inBrick = false;
+    const auto at = [&](float offset)
+    {
+      return this->HiddenAt(ray.Origin[0] + offset * ray.Direction[0], ray.Origin[1] + offset * ray.Direction[1],
+        ray.Origin[2] + offset * ray.Direction[2], inBrick);
+    };
+    const float middle = at(from + 0.5f * step);
+    looks += 1;
+    if (!inBrick)
+    {
+      sum += middle;
+      continue;
+    }
+    float fine = 0.0f;
+    for (int part = 0; part < parts; ++part)
+    {
+      fine += at(from + step * ((static_cast<float>(part) + 0.5f) / static_cast<float>(parts)));
+    }
+    looks += parts;
+    sum += fine / static_cast<float>(parts);
+  }
+  return sum / static_cast<float>(places);
+}
+
 int VisibilityField::Walk(const LitSums& lit, std::uint64_t wanted, std::vector<double>& hidden) const
 {
   const LitPixel& pixel = lit.Source();
-  const Ray& ray = pixel.Line;
-  const LitSums::Place end = lit.End();
-  const float* edges = pixel.Values.data();
-  const Vector3 start = this->ToGrid(ray.Origin + pixel.Reference * ray.Direction);
-  const auto x0 = static_cast<float>(start.X);
-  const auto y0 = static_cast<float>(start.Y);
-  const auto z0 = static_cast<float>(start.Z);
-  const auto dx = static_cast<float>(ray.Direction.X * this->PerLength.X);
-  const auto dy = static_cast<float>(ray.Direction.Y * this->PerLength.Y);
-  const auto dz = static_cast<float>(ray.Direction.Z * this->PerLength.Z);
-  const float speed = std::max({ std::fabs(dx), std::fabs(dy), std::fabs(dz) });
-
-  const int parts = std::max(this->Grid.BrickParts, 1);
-  const float perPart = 1.0f / static_cast<float>(parts);
+  const double reference = pixel.Span.Begin;
+  const Vector3 start = this->ToGrid(pixel.Line.Origin + reference * pixel.Line.Direction);
+  GridRay ray;
+  ray.Speed = 0.0f;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ray.Origin[axis] = static_cast<float>(start[axis]);
+    ray.Direction[axis] = static_cast<float>(pixel.Line.Direction[axis] * this->PerLength[axis]);
+    ray.Speed = std::max(ray.Speed, std::fabs(ray.Direction[axis]));
+  }
+  const int last = lit.LastCell();
   int looks = 0;
-  wanted &= ~std::uint64_t(0) >> (63 - end.Cell);
+  wanted &= ~std::uint64_t(0) >> (63 - last);
   for (int cell = 0; wanted != 0; ++cell, wanted >>= 1)
   {
     if (!(wanted & 1))
     {
       continue;
     }
-    const float share = cell < end.Cell ? 1.0f : static_cast<float>(end.Share);
-    const float width = share * (edges[cell + 1] - edges[cell]);
-    // Two places a grid cell, and two for each part of a refined one: edges of shadows lie anywhere between them.
-    const int places = std::clamp(static_cast<int>(std::ceil(2.0f * width * speed)), 1, mostPlaces);
-    const float step = width / static_cast<float>(places);
-    float sum = 0.0f;
-    for (int place = 0; place < places; ++place)
-    {
-      const float begin = edges[cell] + step * static_cast<float>(place);
-      bool inBrick = false;
-      const auto at = [&](float offset)
-      { return this->HiddenAt(x0 + offset * dx, y0 + offset * dy, z0 + offset * dz, inBrick); };
-      const float middle = at(begin + 0.5f * step);
-      looks += 1;
-      if (!inBrick)
-      {
-        sum += middle;
-        continue;
-      }
-      float fine = 0.0f;
-      for (int part = 0; part < parts; ++part)
-      {
-        fine += at(begin + step * (static_cast<float>(part) + 0.5f) * perPart);
-      }
-      looks += parts;
-      sum += fine * perPart;
-    }
-    sum /= static_cast<float>(places);
-    if (sum != 0.0f)
+    const double begin = pixel.EdgeAt(cell);
+    const double end = cell < last ? pixel.EdgeAt(cell + 1) : std::max(begin, lit.End());
+    const auto share = static_cast<double>(this->HiddenBetween(
+      ray, static_cast<float>(begin - reference), static_cast<float>(end - begin), looks));
+    if (share != 0.0)
     {
       for (std::size_t g = 0; g < hidden.size(); ++g)
       {
-        hidden[g] += static_cast<double>(sum * share * pixel.Cells(static_cast<int>(g))[cell]);
+        const auto group = static_cast<int>(g);
+        hidden[g] +=
+          share * (cell < last ? static_cast<double>(pixel.Cells(group)[cell]) : lit.InLastCell(group));
       }
     }
   }

@@ -26,9 +26,11 @@ public:
   std::uint64_t CellsInShadow(const std::array<LitPixel, 4>& pixels) const;
 
   /**
-   * What is hidden of the unshadowed light of every group along the ray: the sum over its cells of the light times the
-   * hidden share of the light source, by the midpoint rule, finer where a cell is longer than one of the grid or its
-   * bricks. @param wanted bits of the cells to look at. @return the number of places looked at.
+   * Add what is hidden of the unshadowed light of every group along the ray: the sum over its cells of the light times
+   * the hidden share of the light source, by the midpoint rule, finer where a cell is longer than one of the grid or
+   * its bricks. Where all is hidden that is all of the light, to the last bit. @param wanted bits of the cells to look
+   * at.
+   * @return the number of places looked at.
    */
   int Walk(const LitSums& lit, std::uint64_t wanted, std::vector<double>& hidden) const;
 
@@ -39,6 +41,15 @@ private:
   Vector3 ToGrid(const Vector3& point) const;
   bool AnyHidden(const int first[3], const int last[3]) const;
   float HiddenAt(float x, float y, float z, bool& inBrick) const;
+  /// A ray in units of the grid.
+  struct GridRay
+  {
+    float Origin[3];
+    float Direction[3];
+    float Speed; ///< largest component of the direction
+  };
+  /// Mean over a part of a ray.
+  float HiddenBetween(const GridRay& ray, float begin, float width, int& looks) const;
 
   const VisibilityGrid& Grid;
   std::array<int, 3> Cells;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scVisibleLight.h"
 
+#include <algorithm>
+
 namespace shadowcones
 {
 
@@ -86,18 +88,16 @@ bool VisibleLight::IntersectShape(const Vector3& origin, const Vector3& directio
       {
         return false;
       }
-      RayHit hit;
-      double from = 0.0;
-      while (this->Faces->Intersect(origin, direction, from, tMax, hit))
+      thread_local std::vector<RayHit> hits;
+      this->Faces->IntersectAll(origin, direction, 0.0, tMax, hits);
+      const auto front =
+        std::find_if(hits.begin(), hits.end(), [](const RayHit& hit) { return hit.FrontFacing; });
+      if (front == hits.end())
       {
-        if (hit.FrontFacing)
-        {
-          t = hit.T;
-          return true;
-        }
-        from = std::fmax(from, hit.T) + this->Faces->Epsilon();
+        return false;
       }
-      return false;
+      t = front->T;
+      return true;
     }
     case LightShape::Point:
       break;

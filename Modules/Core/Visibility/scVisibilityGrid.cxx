@@ -2,13 +2,16 @@
 #include "scVisibilityGrid.h"
 
 #include "scConeIntervals.h"
+#include "scLampPlane.h"
 #include "scLightPatterns.h"
 #include "scSurfelVisibility.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <stdexcept>
 
 namespace shadowcones
 {
@@ -63,6 +66,7 @@ public:
     const VisibilityGridOptions& options)
     : Patterns(light, options.NumberOfLightSamples, options.Seed)
     , Scene(scene)
+    , Rules(scene ? scene->RulesFor(FlatFaceOf(light)) : RayRules())
     , AtInfinity(IsAtInfinity(light))
   {
     if (options.Method == VisibilityMethod::Soft)
@@ -99,7 +103,7 @@ public:
       const std::uint64_t wanted = view.Open[block];
       open += CountBits(wanted);
       hidden += this->Scene ? CountBits(this->Scene->OccludedFrom(point, view.X.data() + first, view.Y.data() + first,
-                                view.Z.data() + first, wanted, this->AtInfinity))
+                                view.Z.data() + first, wanted, this->AtInfinity, this->Rules))
                             : 0;
     }
     if (open == 0)
@@ -127,6 +131,7 @@ private:
 
   LightPatterns Patterns;
   const OccluderScene* Scene;
+  RayRules Rules;
   bool AtInfinity;
   std::unique_ptr<VisibilityProbe> Discs; ///< Soft
 };
@@ -533,9 +538,39 @@ double VisibilityAt(const VisibilityGrid& grid, const Vector3& point)
     Place(y.Share * grid.BrickParts, vertices), Place(z.Share * grid.BrickParts, vertices));
 }
 
+const char* CheckVisibilityGridOptions(const VisibilityGridOptions& options)
+{
+  const std::array<int, 3>& n = options.Dimensions;
+  if (std::min({ n[0], n[1], n[2] }) < 2 ||
+    static_cast<double>(n[0]) * n[1] * n[2] > std::numeric_limits<int>::max())
+  {
+    return "Dimensions must each be at least 2, and all together at most 2^31 - 1 points";
+  }
+  if (options.NumberOfLightSamples < 1 || options.NumberOfLightSamples > 65536)
+  {
+    return "NumberOfLightSamples must lie in 1..65536";
+  }
+  if (options.BrickParts < 1 || options.BrickParts > 32)
+  {
+    return "BrickParts must lie in 1..32";
+  }
+  return options.RefinementThreshold >= 0.0 && options.RefinementThreshold <= 1.0
+    ? nullptr
+    : "RefinementThreshold must lie in 0..1";
+}
+
 bool FillVisibilityGrid(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene,
   const Box& bounds, const VisibilityGridOptions& options, const Monitor& monitor, VisibilityGrid& grid)
 {
+  if (const char* fault = CheckVisibilityGridOptions(options))
+  {
+    throw std::invalid_argument(fault);
+  }
+  const Vector3 size = bounds.Size();
+  if (!(size.X > 0.0 && size.Y > 0.0 && size.Z > 0.0 && IsFinite(size)))
+  {
+    throw std::invalid_argument("the bounds of a visibility grid must have a finite volume");
+  }
   return Filler(cones, light, scene, bounds, options, grid).Fill(bounds, monitor);
 }
 

@@ -62,10 +62,10 @@ SHADOWCONESCORE_EXPORT double VisibilityAt(const VisibilityGrid& grid, const Vec
 struct VisibilityGridOptions
 {
   VisibilityMethod Method = VisibilityMethod::Exact;
-  std::array<int, 3> Dimensions{ 65, 65, 65 }; ///< vertices along each side, at least 2
-  int NumberOfLightSamples = 16;               ///< a vertex, at least 1
+  std::array<int, 3> Dimensions{ 65, 65, 65 }; ///< vertices along each side, at least 2; at most 2^31 - 1 in all
+  int NumberOfLightSamples = 16;               ///< a vertex, 1..65536
   std::uint64_t Seed = 1;
-  int BrickParts = 2; ///< parts into which refined cells are cut along each side, at least 1; 1: nothing is refined
+  int BrickParts = 2; ///< parts into which refined cells are cut along each side, 1..32; 1: nothing is refined
   /**
    * Cells whose corners differ by more than this are refined, 0..1; 1: none are. An even number of parts is reached by
    * halves, which go on only where corners still differ by more than this.
@@ -76,12 +76,16 @@ struct VisibilityGridOptions
   std::array<int, 6> Extent{ 0, -1, 0, -1, 0, -1 };
 };
 
+/// nullptr, or what is wrong with the options.
+SHADOWCONESCORE_EXPORT const char* CheckVisibilityGridOptions(const VisibilityGridOptions& options);
+
 /**
  * Fill a grid over @p bounds. Exact sends rays from every vertex of a cell that a cone reaches, whatever its own place;
  * Soft takes the base discs as the only occluders. Samples of a vertex are a pure function of (Seed, its coordinates).
  *
  * @param cones bounds of the shadow (Exact) or discs (Soft); @param scene the occluders, without receivers; nullptr for
- * Soft; @param bounds must have a volume. @return false where aborted.
+ * Soft; @param bounds must have a volume. @return false where aborted. Throws std::invalid_argument where the bounds
+ * have none or the options are wrong.
  */
 SHADOWCONESCORE_EXPORT bool FillVisibilityGrid(const std::vector<Cone>& cones, const Light& light,
   const OccluderScene* scene, const Box& bounds, const VisibilityGridOptions& options, const Monitor& monitor,

@@ -2,6 +2,7 @@
 #include "scVisibilityProbe.h"
 
 #include "scConeIntervals.h"
+#include "scLampPlane.h"
 #include "scLightPatterns.h"
 #include "scSurfelVisibility.h"
 
@@ -11,9 +12,6 @@ namespace shadowcones
 {
 namespace
 {
-/// Points within this many of the scene's epsilon from a triangle's plane lie on it.
-constexpr double planeTolerance = 2.0;
-
 /// What one point needs; kept from point to point.
 struct Scratch
 {
@@ -41,6 +39,7 @@ struct VisibilityProbe::Implementation
     const VisibilityOptions& options)
     : Patterns(light, options.NumberOfLightSamples, options.Seed)
     , Scene(scene)
+    , Rules(scene ? scene->RulesFor(FlatFaceOf(light)) : RayRules())
     , AtInfinity(IsAtInfinity(light))
   {
     LightBoundingSphere(light, this->Center, this->Radius);
@@ -66,7 +65,8 @@ struct VisibilityProbe::Implementation
   /// Add what the mesh hides of the samples in @p wanted.
   void Trace(const Vector3& point, const LightMask& wanted, Scratch& scratch) const
   {
-    const double epsilon = this->Scene->Epsilon();
+    RayRules rules = this->Rules;
+    rules.StartTolerance = this->Scene->SurfaceTolerance(point);
     for (int k = 0; k < this->Patterns.Count(); ++k)
     {
       const std::uint64_t bit = std::uint64_t(1) << (k % 64);
@@ -77,25 +77,22 @@ struct VisibilityProbe::Implementation
       const Vector3 to{ scratch.View.X[k], scratch.View.Y[k], scratch.View.Z[k] };
       const double distance = Length(to);
       const Vector3 direction = (1.0 / distance) * to;
-      const double end = this->AtInfinity ? HUGE_VAL : distance - epsilon;
-      if (!this->Scene->Occluded(point, direction, epsilon, end))
+      const double end = this->AtInfinity ? HUGE_VAL : distance;
+      if (!this->Scene->Occluded(point, direction, 0.0, end, rules))
       {
         continue;
       }
-      this->Scene->IntersectAll(point, direction, epsilon, end, scratch.Hits);
+      this->Scene->IntersectAll(point, direction, 0.0, end, scratch.Hits, rules);
       for (const RayHit& hit : scratch.Hits)
       {
-        const Vector3 offset = point - this->Scene->Mesh().Corner(hit.Triangle, 0);
-        if (std::abs(Dot(this->Scene->TriangleNormal(hit.Triangle), offset)) > planeTolerance * epsilon)
-        {
-          scratch.Masks.Of(this->Scene->Mesh().OccluderId(hit.Triangle))[k / 64] |= bit;
-        }
+        scratch.Masks.Of(this->Scene->Mesh().OccluderId(hit.Triangle))[k / 64] |= bit;
       }
     }
   }
 
   LightPatterns Patterns;
   const OccluderScene* Scene;
+  RayRules Rules; ///< for what is flush with the light
   bool AtInfinity;
   Vector3 Center;
   double Radius = 0.0;
@@ -208,7 +205,13 @@ PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal)
 bool ProbeVisibility(const VisibilityProbe& probe, const double* points, const double* normals, vtkIdType count,
   const Monitor& monitor, VisibilityResult& result)
 {
-  const auto size = static_cast<std::size_t>(count);
+  return ProbeVisibility(std::vector<const VisibilityProbe*>{ &probe }, points, normals, count, monitor, result);
+}
+
+bool ProbeVisibility(const std::vector<const VisibilityProbe*>& probes, const double* points, const double* normals,
+  vtkIdType count, const Monitor& monitor, VisibilityResult& result)
+{
+  const auto size = static_cast<std::size_t>(count) * probes.size();
   result.Visibility.resize(size);
   result.ShadowClasses.resize(size);
   result.OccluderIds.resize(size);
@@ -225,11 +228,16 @@ bool ProbeVisibility(const VisibilityProbe& probe, const double* points, const d
           normal = Normalized({ normals[3 * i], normals[3 * i + 1], normals[3 * i + 2] });
         }
         const bool hasNormal = Dot(normal, normal) > 0.0;
-        const PointVisibility visibility = probe.At(point, hasNormal ? &normal : nullptr);
-        result.Visibility[i] = static_cast<float>(visibility.Fraction);
-        result.ShadowClasses[i] = static_cast<unsigned char>(visibility.Class);
-        result.OccluderIds[i] = visibility.OccluderId;
-        result.Errors[i] = static_cast<float>(visibility.Error);
+        auto at = static_cast<std::size_t>(i) * probes.size();
+        for (const VisibilityProbe* probe : probes)
+        {
+          const PointVisibility visibility = probe->At(point, hasNormal ? &normal : nullptr);
+          result.Visibility[at] = static_cast<float>(visibility.Fraction);
+          result.ShadowClasses[at] = static_cast<unsigned char>(visibility.Class);
+          result.OccluderIds[at] = visibility.OccluderId;
+          result.Errors[at] = static_cast<float>(visibility.Error);
+          ++at;
+        }
       }
     });
 }

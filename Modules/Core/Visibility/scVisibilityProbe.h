@@ -59,8 +59,9 @@ struct PointVisibility
  * knows nothing of shadow that the cones miss (Exact) nor of what the discs get wrong (Soft).
  *
  * Exact asks the rays inside cones and up to one base radius before their base, where surface points may lie. A
- * triangle in whose plane the point lies never hides anything from it, nor does a disc (Soft): a surface casts no
- * shadow on itself.
+ * triangle in whose plane the point lies, as well as its coordinates and the mesh's can say (rounding to double precision,
+ * or to single where they are in single precision), never hides anything from it, nor does a disc (Soft): a surface casts
+ * no shadow on itself. Nor does a triangle that is flush with a flat light, see IsFlush() in scFlatFace.h.
  */
 class SHADOWCONESCORE_EXPORT VisibilityProbe
 {
@@ -84,7 +85,7 @@ private:
   std::unique_ptr<Implementation> Impl;
 };
 
-/// What is known at many points; one value a point each.
+/// What is known at many points: one value a point and light each, those of a point side by side.
 struct VisibilityResult
 {
   std::vector<float> Visibility;
@@ -94,9 +95,13 @@ struct VisibilityResult
 };
 
 /**
- * Ask the probe at @p count points (3 values each) with normals (3 values each, any length; 0: no normal) or nullptr.
+ * Ask the probes, one a light, at @p count points (3 values each) with normals (3 values each, any length; 0: no
+ * normal) or nullptr.
  * @return false where aborted.
  */
+SHADOWCONESCORE_EXPORT bool ProbeVisibility(const std::vector<const VisibilityProbe*>& probes, const double* points,
+  const double* normals, vtkIdType count, const Monitor& monitor, VisibilityResult& result);
+/// The same for one light.
 SHADOWCONESCORE_EXPORT bool ProbeVisibility(const VisibilityProbe& probe, const double* points, const double* normals,
   vtkIdType count, const Monitor& monitor, VisibilityResult& result);
 

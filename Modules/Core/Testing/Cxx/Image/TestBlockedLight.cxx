@@ -38,10 +38,11 @@ struct SunnyRay
     const OccluderScene occluders(this->Plate.View());
     const ScatteringScene scene{ occluders, this->Scene.Source, this->Scene.Fog, this->Scene.Eye };
     BlockedLight blocked(scene, this->Options, this->Scene.Groups);
-    blocked.Estimate(this->Sums, 0.0, stretches, 0.0, seed);
+    blocked.Look(this->Sums, stretches, {}, seed);
+    blocked.Estimate(this->Options.MaximumSamples);
     const double lit = this->Sums.Groups()[0];
     const double mean = this->Sums.Mean();
-    return { blocked.Blocked()[0] / lit, std::sqrt(blocked.Variance()) / mean, blocked.NumberOfSamples(),
+    return { 1.0 - blocked.Left()[0] / lit, std::sqrt(blocked.Variance()) / mean, blocked.NumberOfSamples(),
       blocked.NumberOfOcclusionRays() };
   }
 };
@@ -116,10 +117,87 @@ TEST(LitSums, PlacesAndDistancesAreInverse)
   {
     EXPECT_NEAR(sums.DistanceOf(sums.PlaceOf(t)), t, 1e-5);
   }
-  EXPECT_NEAR(sums.DistanceOf(sums.End()), 4.0, 1e-5);
+  EXPECT_NEAR(sums.DistanceOf(sums.PlaceOf(sums.End())), 4.0, 1e-5);
   EXPECT_EQ(sums.SumUpTo(sums.PlaceOf(0.5)), 0.0);
-  EXPECT_LT(sums.SumUpTo(sums.End()), sums.SumUpTo(sums.PlaceOf(5.0)));
+  EXPECT_LT(sums.SumUpTo(sums.PlaceOf(sums.End())), sums.SumUpTo(sums.PlaceOf(5.0)));
   // The mean over wavelengths is the group's value times its mean source.
-  EXPECT_NEAR(sums.SumUpTo(sums.End()) / sums.Mean(), 1.0, 1e-6);
+  sums.Add(pixel, 5.0);
+  EXPECT_NEAR(sums.SumUpTo(sums.PlaceOf(sums.End())) / sums.Mean(), 1.0, 1e-6);
   EXPECT_NEAR(sums.Mean() / (sums.Groups()[0] * scene.Groups.MeanSource[0]), 1.0, 1e-6);
+}
+
+TEST(LitSums, PartsOfARayAreThoseOfAPointLight)
+{
+  // Nothing is absorbed: the light scattered between two places is the angle between them as seen from the light.
+  const LitScene scene(smallmeshes::PointLight({ 1.0, 1.6, 0.2 }), 1e-9);
+  const LitPixel pixel = scene.PixelOf(8, 8, 17);
+  const double distance = std::hypot(1.6, 0.2);
+  const auto angle = [&](double t) { return std::atan((t - 2.0) / distance); };
+  LitSums sums(scene.Groups);
+  sums.Add(pixel, 5.0);
+  const double perAngle = sums.Groups()[0] / (angle(5.0) - angle(1.0));
+  for (const double end : { 1.001, 1.7, 2.4, 3.3, 4.99, 5.0 })
+  {
+    sums.Add(pixel, end);
+    EXPECT_NEAR(sums.Groups()[0] / perAngle, angle(end) - angle(1.0), 2e-6) << end;
+    std::vector<double> part(1, 0.0);
+    sums.AddBetween(1.3, 2.9, part);
+    const double expected = end > 1.3 ? angle(std::min(end, 2.9)) - angle(1.3) : 0.0;
+    EXPECT_NEAR(part[0] / perAngle, expected, 3e-6) << end;
+    part[0] = 0.0;
+    sums.AddBetween(0.0, end, part);
+    EXPECT_EQ(part[0], sums.Groups()[0]) << end;
+  }
+}
+
+TEST(BlockedLight, NothingIsLeftWhereAllIsBlockedAndAllWhereNoneIs)
+{
+  // Exactly, from any number of samples: the same unshadowed light stands on both sides.
+  for (const double begin : { 1.0, 1.3 })
+  {
+    for (const int samples : { 1, 7, 100 })
+    {
+      SunnyRay sunny;
+      sunny.Plate = smallmeshes::Mesh();
+      sunny.Plate.AddSheet({ -0.5, 2.0, -3.0 }, { 5.0, 0.0, 0.0 }, { 0.0, 0.0, 6.0 }, 0);
+      const OccluderScene plate(sunny.Plate.View());
+      const OccluderScene nothing{ TriangleMeshView() };
+      sunny.Options.RelativeErrorGoal = 0.0;
+      sunny.Options.MaximumSamples = samples;
+      const std::vector<RayInterval> stretches{ { begin, 2.25, -1 }, { 2.25, 5.0, -1 } };
+      for (const OccluderScene* occluders : { &plate, &nothing })
+      {
+        const ScatteringScene scene{ *occluders, sunny.Scene.Source, sunny.Scene.Fog, sunny.Scene.Eye };
+        BlockedLight light(scene, sunny.Options, sunny.Scene.Groups);
+        light.Look(sunny.Sums, stretches, {}, 5);
+        light.Estimate(samples);
+        const double lit = sunny.Sums.Groups()[0];
+        if (occluders == &nothing)
+        {
+          EXPECT_EQ(light.Left()[0], lit);
+          continue;
+        }
+        EXPECT_NEAR(light.Left()[0] / lit, 0.25 * (begin - 1.0), 1e-6);
+        if (begin == 1.0)
+        {
+          EXPECT_LE(std::fabs(light.Left()[0]), 1e-15 * lit);
+        }
+      }
+    }
+  }
+}
+
+TEST(BlockedLight, NearlySpentSamplesSpoilNothing)
+{
+  // Whatever the last pass may still take, an error is not above that of two thirds of all samples at a shadow's edges.
+  SunnyRay sunny;
+  sunny.Options.RelativeErrorGoal = 1e-5;
+  for (int most = 40; most < 400; most += 7)
+  {
+    sunny.Options.MaximumSamples = most;
+    const auto result = sunny.Estimate({ { 1.0, 5.0, -1 } }, static_cast<std::uint64_t>(most));
+    EXPECT_EQ(result.Samples, most);
+    EXPECT_NEAR(result.Share, 0.25, 3.0 / most);
+    EXPECT_LT(result.Error, 3.0 / most);
+  }
 }

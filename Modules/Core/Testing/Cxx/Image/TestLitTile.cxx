@@ -16,19 +16,15 @@ LitPixel FinePixel(const LitScene& scene, int i, int j)
 {
   const Ray ray = scene.Eye.PixelRay(i, j, size, size);
   LitPixel pixel;
+  pixel.Line = ray;
   pixel.Span = scene.Quadrature.Spans.Find(ray);
-  pixel.Reference = pixel.Span.Begin;
+  pixel.Edges.fill(0.0);
   pixel.Values.assign(scene.Quadrature.Layout.Size(), 0.0f);
   if (!pixel.Span.Empty())
   {
     LitProfiler profiler(scene.Quadrature);
-    profiler.Evaluate(ray, pixel.Span, pixel.Reference,
-      { 4, 3 }, pixel.Values.data());
-    const LitAngle angle(scene.Quadrature, ray, pixel.Span);
-    for (std::size_t k = LitProfileLayout::Edges; k < pixel.Values.size(); ++k)
-    {
-      pixel.Values[k] *= static_cast<float>(angle.CellFactor());
-    }
+    profiler.Evaluate(ray, pixel.Span, { 4, 3 }, pixel.Values.data());
+    FinishPixel(scene.Quadrature, pixel);
   }
   return pixel;
 }
@@ -116,5 +112,47 @@ TEST(LitTile, DoesNotRememberWhereItWas)
   tile.Interpolate(3, 17, again);
   tile.Interpolate(20, 17, again);
   EXPECT_EQ(first.Values, again.Values);
-  EXPECT_EQ(first.Reference, again.Reference);
+  EXPECT_EQ(first.Edges, again.Edges);
+}
+
+TEST(LitTile, RaysCloseBelowAWideLampAreAsGoodAsTheySay)
+{
+  // A rectangle 2 x 2, 0.4 above rays that are all but parallel to it: nothing is smooth where they begin to pass below.
+  Light light;
+  light.Shape = LightShape::Rectangle;
+  light.Center = { 0.0, 4.0, 0.0 };
+  light.Normal = { 0.0, -1.0, 0.0 };
+  light.AxisU = { 1.0, 0.0, 0.0 };
+  light.AxisV = { 0.0, 0.0, 1.0 };
+  light.Spectrum = { 1.0 };
+  ASSERT_EQ(PrepareLight(light), nullptr);
+  LitScene scene(light, 0.5);
+  scene.Fog.Bounds.Min = { -3.0, -3.0, -3.0 };
+  scene.Fog.Bounds.Max = { 3.0, 4.5, 3.0 };
+  const LitQuadrature quadrature(light, scene.Fog, scene.Groups);
+  scene.Eye.Position = { -6.0, 3.6, 0.011 };
+  scene.Eye.Parallel = false;
+  scene.Eye.HalfHeight = std::tan(5.0 * 3.14159265358979323846 / 180.0);
+  LitTile tile(quadrature, scene.Eye, 32, 32, 1e-3, { 0.0 });
+  tile.MoveTo(0, 0);
+  LitProfiler profiler(quadrature);
+  int pixels = 0;
+  int held = 0;
+  for (int j = 9; j < 24; j += 2)
+  {
+    for (int i = 8; i < 24; i += 2)
+    {
+      LitPixel pixel;
+      tile.Interpolate(i, j, pixel);
+      LitPixel fine = pixel;
+      profiler.Evaluate(pixel.Line, pixel.Span, { 3, 2 }, fine.Values.data());
+      FinishPixel(quadrature, fine);
+      const double error = std::fabs(SumOfCells(pixel) / SumOfCells(fine) - 1.0);
+      pixels += 1;
+      held += error <= pixel.Tolerance;
+      EXPECT_LE(error, 3.0 * pixel.Tolerance) << i << ", " << j;
+      EXPECT_LT(pixel.Tolerance, 0.03);
+    }
+  }
+  EXPECT_GE(held, 0.95 * pixels);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scScatteringImage.h"
+#include "scTileRange.h"
 
 #include "vtkSMPTools.h"
 
@@ -7,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 using namespace shadowcones;
 
@@ -565,6 +568,51 @@ TEST(ScatteringImage, ACameraInsideAClosedOccluderSeesDarkness)
   const ScatteringImage image = RenderPixel(mesh, room.Lamp, room.Fog, SinglePixel({ 0.1, 0.05, 0.0 }), {});
   EXPECT_EQ(image.Radiance[0], 0.0f);
   EXPECT_NEAR(image.Depth[0], 0.5f, 1e-5);
+}
+
+TEST(ScatteringOptions, AreCheckedOneByOne)
+{
+  EXPECT_EQ(CheckScatteringOptions({}), nullptr);
+  const auto fault = [](auto change)
+  {
+    ScatteringOptions options;
+    change(options);
+    const char* text = CheckScatteringOptions(options);
+    return std::string(text ? text : "");
+  };
+  constexpr int most = 2147483647;
+  const auto expect = [](const std::string& text, const char* part)
+  { EXPECT_NE(text.find(part), std::string::npos) << text; };
+  expect(fault([](auto& o) { o.Width = o.Height = most; }), "at most 2^31 - 1");
+  expect(fault([](auto& o) { o.Extent = { -1, 255, 0, 255 }; }), "Extent");
+  expect(fault([](auto& o) { o.NumberOfSteps = most; }), "1..1000000");
+  expect(fault([](auto& o) { o.MaximumDepth = most; }), "0..16");
+  expect(fault([](auto& o) { o.NumberOfLightSamples = most; }), "NumberOfLightSamples must lie in 1..65536");
+  expect(fault([](auto& o) { o.NumberOfSurfaceLightSamples = most; }), "0..65536");
+  expect(fault([](auto& o) { o.NumberOfEdgeSamples = most; }), "1..1024");
+  expect(fault([](auto& o) { o.MaximumSamples = 0; }), "MaximumSamples");
+  expect(fault([](auto& o) { o.IntensityThreshold = std::nan(""); }), "IntensityThreshold");
+  expect(fault([](auto& o) { o.RelativeErrorGoal = -1.0; }), "RelativeErrorGoal");
+  expect(fault([](auto& o) { o.Reflectance = 1.1; }), "Reflectance");
+  expect(fault([](auto& o) { o.Mode = static_cast<ScatteringMode>(6); }), "Mode");
+  EXPECT_EQ(fault([](auto& o) { o.MaximumSamples = most; }), "");
+}
+
+TEST(TileRange, TilesCoverAnExtentAlsoAtTheLargestNumbers)
+{
+  constexpr int most = 2147483647;
+  const std::vector<TileRange> tiles = TilesOf({ most - 40, most - 1, 5, 33 }, 32);
+  vtkIdType pixels = 0;
+  for (const TileRange& tile : tiles)
+  {
+    EXPECT_LE(most - 40, tile.I0);
+    EXPECT_LE(tile.I1, most - 1);
+    EXPECT_EQ(tile.I0 / 32, tile.I1 / 32);
+    EXPECT_EQ(tile.J0 / 32, tile.J1 / 32);
+    pixels += static_cast<vtkIdType>(tile.I1 - tile.I0 + 1) * (tile.J1 - tile.J0 + 1);
+  }
+  EXPECT_EQ(pixels, 40 * 29);
+  EXPECT_TRUE(TilesOf({ 0, -1, 0, 5 }, 32).empty());
 }
 
 TEST(ScatteringImage, StopsWhereTheMonitorSaysSo)

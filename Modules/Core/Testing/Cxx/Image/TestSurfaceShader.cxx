@@ -225,7 +225,7 @@ TEST(SurfaceShader, VolumeTracesNearMarksOnly)
   const Stage stage;
   const ConeHierarchy cones(stage.BoundingCones(), stage.Air.Bounds);
   const VisibilityGrid marked = MakeGrid(
-    stage.Air.Bounds, 17, [](const Vector3&) { return 1.0; }, [&](const Vector3& p) { return cones.Contains(p); });
+    stage.Air.Bounds, 25, [](const Vector3&) { return 1.0; }, [&](const Vector3& p) { return cones.Contains(p); });
   const ScatteringImage bruteForce = stage.Render(ScatteringMode::BruteForce);
   const ScatteringImage volume = stage.Render(ScatteringMode::Volume, nullptr, &marked);
   ExpectAlike(volume, bruteForce);
@@ -325,6 +325,97 @@ TEST(SurfaceShader, AnObliqueEdgeIsTheShareThatItCovers)
   }
 }
 
+TEST(SurfaceShader, ThinSlatsBeforeABrightWallAreLinesWithoutDots)
+{
+  // A black slat at a slant in front of the white plate: a pixel is the share that the slat leaves free. The last one is
+  // thinner than a pixel.
+  for (const double width : { 2.3, 1.2, 0.75 })
+  {
+    for (const double angle : { 0.1, 1.5, 0.7 })
+    {
+      HalfPlane wall(angle, 1000.0);
+      const Vector3 along{ -wall.Normal.Y, wall.Normal.X, 0.0 };
+      const double begin = 0.37;
+      const Vector3 lift{ 0.0, 0.0, 1.0 };
+      wall.Mesh = {};
+      wall.Mesh.AddSheet({ -60.0, -60.0, 0.0 }, { 120.0, 0.0, 0.0 }, { 0.0, 120.0, 0.0 }, 0);
+      wall.Mesh.AddSheet(
+        begin * wall.Normal - 100.0 * along + lift, width * wall.Normal, 200.0 * along, 0);
+      wall.Options.SurfaceReflectance = { 1.0f, 1.0f, 0.0f, 0.0f };
+      // Its shadow falls where the camera does not see it.
+      const std::vector<double> values = wall.Render();
+      double squares = 0.0;
+      int crossed = 0;
+      for (int j = 0; j < wall.Size; ++j)
+      {
+        for (int i = 0; i < wall.Size; ++i)
+        {
+          wall.Offset = begin + width;
+          const double upTo = wall.Coverage(i, j);
+          wall.Offset = begin;
+          const double covered = upTo - wall.Coverage(i, j);
+          const double difference = values[static_cast<std::size_t>(j * wall.Size + i)] - (1.0 - covered);
+          EXPECT_LT(std::fabs(difference), 0.05) << width << ", " << angle << ", pixel " << i << ", " << j;
+          squares += difference * difference;
+          crossed += covered > 0.0 && covered < 1.0 ? 1 : 0;
+        }
+      }
+      EXPECT_GT(crossed, 30);
+      EXPECT_LT(std::sqrt(squares / crossed), 0.02) << width << ", " << angle;
+    }
+  }
+}
+
+TEST(SurfaceShader, AThinSlatBeforeTheMediumTakesItsShareOfTheMedium)
+{
+  // The medium begins behind the slat: a pixel's medium term is that of the free share of it. Under a sun from above the
+  // term of a ray at height y is sigma_s E / (4 pi) exp(-sigma_t (20 - y)) (1 - exp(-4 sigma_t)) / sigma_t.
+  HalfPlane view(0.7, 0.37);
+  const double width = 1.3;
+  const double sigmaS = 0.02;
+  const double sigmaT = 0.05;
+  const Vector3 along{ -view.Normal.Y, view.Normal.X, 0.0 };
+  view.Mesh = {};
+  view.Mesh.AddSheet(view.Offset * view.Normal - 100.0 * along + Vector3{ 0.0, 0.0, 1.0 }, width * view.Normal,
+    200.0 * along, 0);
+  view.Sun = smallmeshes::SunLight({ 0.0, -1.0, 0.0 }, 0.0);
+  view.Air.SigmaS.assign(7, sigmaS);
+  view.Air.SigmaA.assign(7, sigmaT - sigmaS);
+  view.Air.Bounds = { { -20.0, -20.0, -6.0 }, { 20.0, 20.0, -2.0 } };
+  const OccluderScene occluders(view.Mesh.View());
+  for (const ScatteringMode mode : { ScatteringMode::BruteForce, ScatteringMode::Guided, ScatteringMode::Volume })
+  {
+    view.Options.Mode = mode;
+    view.Options.MaximumSamples = 64;
+    view.Options.RelativeErrorGoal = 0.0;
+    view.Options.NumberOfLightSamples = 1;
+    ScatteringImage image;
+    ASSERT_TRUE(RenderScattering({ occluders, view.Sun, view.Air, view.View }, view.Options, {}, image));
+    double squares = 0.0;
+    int crossed = 0;
+    for (int j = 0; j < view.Size; ++j)
+    {
+      for (int i = 0; i < view.Size; ++i)
+      {
+        view.Offset = 0.37 + width;
+        const double upTo = view.Coverage(i, j);
+        view.Offset = 0.37;
+        const double covered = upTo - view.Coverage(i, j);
+        const double y = j + 0.5 - 0.5 * view.Size;
+        const double open =
+          sigmaS / (4.0 * pi) * std::exp(-sigmaT * (20.0 - y)) * (1.0 - std::exp(-4.0 * sigmaT)) / sigmaT;
+        const std::size_t pixel = 7 * static_cast<std::size_t>(j * view.Size + i);
+        const double difference = image.InScattering[pixel] / open - (1.0 - covered);
+        EXPECT_LT(std::fabs(difference), 0.06) << "mode " << static_cast<int>(mode) << ", pixel " << i << ", " << j;
+        squares += difference * difference;
+        crossed += covered > 0.0 && covered < 1.0 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(crossed, 30);
+    EXPECT_LT(std::sqrt(squares / crossed), 0.03) << "mode " << static_cast<int>(mode);
+  }
+}
+
 TEST(SurfaceShader, OneSampleSwitchesAntiAliasingOff)
 {
   HalfPlane plane(0.3, 0.37);
@@ -347,7 +438,7 @@ TEST(SurfaceShader, OnlyWhatThePixelsCentreSeesIsInDepthAndTransmittance)
   EXPECT_EQ(smooth.Transmittance, hard.Transmittance);
   EXPECT_EQ(smooth.InScattering, hard.InScattering);
   EXPECT_NE(smooth.SurfaceRadiance, hard.SurfaceRadiance);
-  // Light samples are shared among the rays of a pixel.
+  // Light samples are shared among the two surfaces of a pixel.
   EXPECT_NEAR(
     static_cast<double>(smooth.NumberOfOcclusionRays) / static_cast<double>(hard.NumberOfOcclusionRays), 1.0, 0.05);
 }
@@ -413,7 +504,7 @@ TEST(SurfaceShader, EdgesAreFoundBetweenSurfacesThatDiffer)
     stage.Mesh.AddSheet({ 0.0, 0.0, 4.0 }, left, back, 0);
     stage.Mesh.AddSheet({ 0.0, 0.0, 4.0 }, right, back, other);
   };
-  const int column = 2 * 30; // the pixels on both sides of the split
+  const int column = 30; // the pixels that the split runs through
   EXPECT_EQ(changed([&](Stage& s) { sheets(s, { -4.0, 0.0, 0.0 }, { 4.0, 0.0, 0.0 }, 0); }), 0) << "one plane";
   EXPECT_EQ(changed([&](Stage& s) { sheets(s, { -4.0, 0.0, 0.0 }, { 4.0, 0.0, 0.0 }, 1); }), column) << "occluder";
   EXPECT_EQ(changed([&](Stage& s) { sheets(s, { -4.0, 0.5, 0.0 }, { 4.0, 0.5, 0.0 }, 0); }), 0) << "a slight bend";

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <stdexcept>
 #include <vector>
 
 using namespace shadowcones;
@@ -350,6 +353,32 @@ TEST(VisibilityGrid, ExtentsGiveWhatTheWholeGives)
   EXPECT_EQ(cells, whole.BrickCells);
 }
 
+TEST(VisibilityGrid, BoundsWithoutVolumeAndExtremeOptionsAreRefused)
+{
+  const Sheet sheet;
+  const OccluderScene scene(sheet.Mesh.View());
+  VisibilityGrid grid;
+  const auto fill = [&](const Box& bounds, const std::function<void(VisibilityGridOptions&)>& change)
+  {
+    VisibilityGridOptions options = Options(2);
+    change(options);
+    FillVisibilityGrid(sheet.Cones, MakeLight(LightShape::Disc), &scene, bounds, options, {}, grid);
+  };
+  const auto keep = [](VisibilityGridOptions&) {};
+  Box flat = room;
+  flat.Max.Y = flat.Min.Y;
+  EXPECT_THROW(fill(flat, keep), std::invalid_argument);
+  EXPECT_THROW(fill(Box(), keep), std::invalid_argument);
+  for (const std::function<void(VisibilityGridOptions&)>& change :
+    std::initializer_list<std::function<void(VisibilityGridOptions&)>>{
+      [](auto& o) { o.Dimensions = { 1, 9, 9 }; }, [](auto& o) { o.Dimensions = { 65536, 65536, 2 }; },
+      [](auto& o) { o.NumberOfLightSamples = 0; }, [](auto& o) { o.NumberOfLightSamples = 2147483647; },
+      [](auto& o) { o.BrickParts = 2147483647; }, [](auto& o) { o.RefinementThreshold = std::nan(""); } })
+  {
+    EXPECT_THROW(fill(room, change), std::invalid_argument);
+  }
+}
+
 TEST(VisibilityGrid, ItCanBeStopped)
 {
   const Sheet sheet;
@@ -393,8 +422,8 @@ TEST(VisibilityGrid, PacketsOfRaysHitWhatSingleRaysHit)
           Vector3 to{ x[k], y[k], z[k] };
           const double length = Length(to);
           to = (1.0 / length) * to;
-          const double end = infinity ? HUGE_VAL : length - scene.Epsilon();
-          const bool hit = ((wanted >> k) & 1u) && scene.Occluded(from, to, scene.Epsilon(), end);
+          const double end = infinity ? HUGE_VAL : length;
+          const bool hit = ((wanted >> k) & 1u) && scene.Occluded(from, to, 0.0, end);
           expected |= static_cast<std::uint64_t>(hit) << k;
           x[k] = infinity ? to.X : x[k];
           y[k] = infinity ? to.Y : y[k];

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scToneMap.h
+ * @brief From spectral radiance to the bytes of a picture, and the exposure that shows it well.
+ */
+#ifndef scToneMap_h
+#define scToneMap_h
+
+#include "ShadowConesCoreModule.h"
+#include "scSpectrum.h"
+#include "vtkType.h"
+
+#include <array>
+#include <vector>
+
+namespace shadowcones
+{
+
+/// One weight a wavelength sample (nm): their sum of products with a spectrum is its relative luminance, 1 for a spectrum of 1.
+SHADOWCONESCORE_EXPORT std::vector<double> LuminanceWeights(const std::vector<double>& wavelengths);
+
+/**
+ * Pixels that stand for a whole image of this size: squares (i from, to, j from, to, inclusive), one in the middle of each
+ * tile of 32 x 32 pixels, of at most 32 x 32 tiles. About 4,096 pixels in all, every pixel of a smaller image. They depend on
+ * the size alone, so that any part of an image gets the exposure of the whole.
+ */
+SHADOWCONESCORE_EXPORT std::vector<std::array<int, 4>> ExposureSquares(int width, int height);
+
+/**
+ * Append the luminance of the pixels of a square: of first + second (nullptr: nothing), which have one value a wavelength of
+ * each pixel of the extent, i fastest. The square lies in the extent; both are i from, to, j from, to, inclusive.
+ */
+SHADOWCONESCORE_EXPORT void AppendLuminances(const std::array<int, 4>& extent, const std::array<int, 4>& square,
+  const float* first, const float* second, const std::vector<double>& weights, std::vector<double>& luminances);
+
+/**
+ * One over the luminance that is to be white: the 99th percentile, or the largest where that is not above 0. 1 where all is
+ * black. Values that are not finite do not count.
+ */
+SHADOWCONESCORE_EXPORT double ExposureOf(std::vector<double> luminances);
+
+/**
+ * Bytes (red, green, blue a pixel) of exposure * radiance as sRGB: black up to 0, white from 1. @p radiance has one value a
+ * wavelength of each pixel.
+ */
+SHADOWCONESCORE_EXPORT void ToneMap(const float* radiance, vtkIdType numberOfPixels,
+  const std::vector<double>& wavelengths, double exposure, unsigned char* rgb);
+
+} // namespace shadowcones
+
+#endif
