@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scConeData.h"
 
+#include "scConeIntervals.h"
 #include "scFieldArrays.h"
 #include "scTuples.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTypeUInt64Array.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace shadowcones
@@ -70,16 +75,23 @@ bool ReadConeSet(vtkPolyData* input, std::vector<Cone>& cones, std::string& erro
   const auto find = [&](const char* name, int components, Need need, vtkDataArray*& array)
   { return FindArray(data, "cone set", name, components, count, need, array, error); };
 
-  vtkDataArray *axes, *radii, *angles, *innerAngles, *normals, *occluderIds, *vectorCounts, *planarities, *overspills;
+  vtkDataArray *axes, *radii, *angles, *innerAngles, *normals, *occluderIds, *vectorCounts, *planarities, *overspills,
+    *lightIds, *origins;
   if (!find("Axis", 3, Need::Required, axes) || !find("BaseRadius", 1, Need::Required, radii) ||
     !find("HalfAngle", 1, Need::Required, angles) || !find("InnerHalfAngle", 1, Need::Optional, innerAngles) ||
     !find("Normal", 3, Need::Optional, normals) || !find("OccluderId", 1, Need::Optional, occluderIds) ||
     !find("VectorCount", 1, Need::Optional, vectorCounts) || !find("Planarity", 1, Need::Optional, planarities) ||
-    !find("Overspill", 1, Need::Optional, overspills))
+    !find("Overspill", 1, Need::Optional, overspills) || !find("LightId", 1, Need::Optional, lightIds) ||
+    !find("ConeOrigin", 1, Need::Optional, origins))
   {
     return false;
   }
 
+  std::vector<int> ids;
+  if (occluderIds && !CopyOccluderIds(occluderIds, "cone", ids, error))
+  {
+    return false;
+  }
   std::vector<Cone> read(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -96,10 +108,12 @@ bool ReadConeSet(vtkPolyData* input, std::vector<Cone>& cones, std::string& erro
     cone.BaseRadius = radii->GetComponent(i, 0);
     cone.HalfAngle = angles->GetComponent(i, 0);
     cone.InnerHalfAngle = innerAngles ? innerAngles->GetComponent(i, 0) : -std::abs(cone.HalfAngle);
-    cone.OccluderId = occluderIds ? static_cast<int>(occluderIds->GetComponent(i, 0)) : 0;
+    cone.OccluderId = occluderIds ? ids[static_cast<std::size_t>(i)] : 0;
     cone.VectorCount = vectorCounts ? static_cast<int>(vectorCounts->GetComponent(i, 0)) : 0;
     cone.Planarity = planarities ? planarities->GetComponent(i, 0) : 0.0;
     cone.Overspill = overspills ? overspills->GetComponent(i, 0) : -1.0;
+    cone.LightId = lightIds ? static_cast<int>(lightIds->GetComponent(i, 0)) : 0;
+    cone.Origin = static_cast<ConeOrigin>(origins ? std::clamp(static_cast<int>(origins->GetComponent(i, 0)), 0, 2) : 0);
     if (!CheckCone(cone, i, error))
     {
       return false;
@@ -127,7 +141,7 @@ void WriteConeSet(const std::vector<Cone>& cones, vtkPolyData* output)
 {
   std::vector<double> centers;
   std::vector<float> axes, radii, angles, innerAngles, normals, planarities, overspills;
-  std::vector<int> occluderIds, vectorCounts;
+  std::vector<int> occluderIds, vectorCounts, lightIds, origins;
   for (const Cone& cone : cones)
   {
     for (int c = 0; c < 3; ++c)
@@ -143,6 +157,8 @@ void WriteConeSet(const std::vector<Cone>& cones, vtkPolyData* output)
     vectorCounts.push_back(cone.VectorCount);
     planarities.push_back(static_cast<float>(cone.Planarity));
     overspills.push_back(static_cast<float>(cone.Overspill));
+    lightIds.push_back(cone.LightId);
+    origins.push_back(static_cast<int>(cone.Origin));
   }
   SetVertices(output, centers);
   vtkPointData* data = output->GetPointData();
@@ -155,6 +171,8 @@ void WriteConeSet(const std::vector<Cone>& cones, vtkPolyData* output)
   AddIntArray(data, "VectorCount", 1, vectorCounts);
   AddFloatArray(data, "Planarity", 1, planarities);
   AddFloatArray(data, "Overspill", 1, overspills);
+  AddIntArray(data, "LightId", 1, lightIds);
+  AddIntArray(data, "ConeOrigin", 1, origins);
 }
 
 void WriteConeSetOptions(const ConeSetOptions& options, vtkFieldData* data)
@@ -171,6 +189,7 @@ void WriteConeSetOptions(const ConeSetOptions& options, vtkFieldData* data)
   AddDoubleArray(data, "RadiusScale", 1, { options.RadiusScale });
   AddDoubleArray(data, "MaximumOverspill", 1, { options.MaximumOverspill });
   AddIntArray(data, "Overlap", 1, { options.Overlap ? 1 : 0 });
+  AddIntArray(data, "Leftovers", 1, { static_cast<int>(options.Leftovers) });
 }
 
 void WriteConeTuning(const ConeTuningResult& tuning, vtkFieldData* data)
@@ -179,6 +198,82 @@ void WriteConeTuning(const ConeTuningResult& tuning, vtkFieldData* data)
   AddDoubleArray(data, "TuningLeak", 1, { tuning.Leak });
   AddDoubleArray(data, "TuningLost", 1, { tuning.Lost });
   AddIntArray(data, "TuningFits", 1, { tuning.NumberOfFits });
+}
+
+Box ReadCertifiedBounds(vtkFieldData* data)
+{
+  vtkDataArray* bounds = data->GetArray("CertifiedBounds");
+  if (!bounds || bounds->GetNumberOfValues() != 6 || !std::isfinite(bounds->GetVariantValue(0).ToDouble()))
+  {
+    return {};
+  }
+  const auto edge = [bounds](int i) { return bounds->GetVariantValue(i).ToDouble(); };
+  return { { edge(0), edge(2), edge(4) }, { edge(1), edge(3), edge(5) } };
+}
+
+std::vector<Cone> ConesEverywhere(const Box& region, std::size_t lights)
+{
+  std::vector<Cone> cones(lights, ConeAroundBox(region));
+  for (std::size_t k = 0; k < lights; ++k)
+  {
+    cones[k].LightId = static_cast<int>(k);
+  }
+  return cones;
+}
+
+std::vector<Cone> ConesFor(
+  const Box& region, std::size_t lights, vtkFieldData* data, const std::vector<Cone>& cones)
+{
+  const Box proved = ReadCertifiedBounds(data);
+  const bool beyond = !proved.Empty() && !region.Empty() && !(proved.Contains(region.Min) && proved.Contains(region.Max));
+  return beyond ? ConesEverywhere(region, lights) : cones;
+}
+
+void WriteConeCertificate(const ConeCertificate& certificate, vtkFieldData* data)
+{
+  const Box& b = certificate.Bounds;
+  const double all = std::numeric_limits<double>::infinity();
+  AddIntArray(data, "Certified", 1, { certificate.Certified ? 1 : 0 });
+  AddDoubleArray(data, "CertifiedBounds", 6,
+    b.Empty() ? std::vector<double>{ -all, all, -all, all, -all, all }
+              : std::vector<double>{ b.Min.X, b.Max.X, b.Min.Y, b.Max.Y, b.Min.Z, b.Max.Z });
+  AddIdArray(data, "NumberOfProvedParts", { certificate.NumberOfProvedParts });
+  AddIdArray(data, "NumberOfGrownCones", { certificate.NumberOfGrownCones });
+  AddIdArray(data, "NumberOfAddedCones", { certificate.NumberOfAddedCones });
+  AddIdArray(data, "NumberOfOccludersWithoutCone", { certificate.NumberOfOccludersWithoutCone });
+  vtkNew<vtkTypeUInt64Array> hash;
+  hash->SetName("CertificateHash");
+  hash->InsertNextValue(certificate.Hash);
+  data->AddArray(hash);
+}
+
+ConeCertificate ReadConeCertificate(vtkFieldData* data, const std::vector<Cone>& cones, const TriangleMeshView& mesh,
+  const std::vector<Light>& lights, std::string& why)
+{
+  ConeCertificate certificate;
+  const auto value = [data](const char* name) {
+    vtkDataArray* array = data->GetArray(name);
+    return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : 0.0;
+  };
+  auto* hash = vtkTypeUInt64Array::SafeDownCast(data->GetAbstractArray("CertificateHash"));
+  if (value("Certified") == 0.0 || !hash || hash->GetNumberOfValues() != 1)
+  {
+    why = "the cone set says nothing of a proof: connect mesh and lights to vtkConeSetFilter, with Certify on";
+    return certificate;
+  }
+  certificate.Hash = CertificateHash(cones, mesh, lights);
+  if (certificate.Hash != hash->GetValue(0))
+  {
+    why = "cones, casters or lights are not those that the cone set was proved for";
+    return certificate;
+  }
+  certificate.Bounds = ReadCertifiedBounds(data);
+  certificate.NumberOfProvedParts = static_cast<vtkIdType>(value("NumberOfProvedParts"));
+  certificate.NumberOfGrownCones = static_cast<vtkIdType>(value("NumberOfGrownCones"));
+  certificate.NumberOfAddedCones = static_cast<vtkIdType>(value("NumberOfAddedCones"));
+  certificate.NumberOfOccludersWithoutCone = static_cast<vtkIdType>(value("NumberOfOccludersWithoutCone"));
+  certificate.Certified = true;
+  return certificate;
 }
 
 } // namespace shadowcones

@@ -80,7 +80,7 @@ bool ReadValues(vtkDataArray* array, DensityGrid& grid, std::string& error)
 
 } // namespace
 
-bool ReadDensity(vtkImageData* input, DensityGrid& grid, std::string& error)
+bool ReadDensity(vtkImageData* input, vtkDataArray* chosen, DensityGrid& grid, std::string& error)
 {
   grid = DensityGrid();
   if (!input || input->GetNumberOfPoints() == 0)
@@ -88,7 +88,7 @@ bool ReadDensity(vtkImageData* input, DensityGrid& grid, std::string& error)
     error = "There are no points.";
     return false;
   }
-  vtkDataArray* array = FindDensity(input);
+  vtkDataArray* array = chosen ? chosen : FindDensity(input);
   if (!array)
   {
     error = "There is no point array: name it \"Density\" or make it the active scalars. Cell data can be turned into "

@@ -11,18 +11,20 @@
 
 #include <string>
 
+class vtkDataArray;
 class vtkImageData;
 
 namespace shadowcones
 {
 
 /**
- * Read a density and prepare it: the point array "Density", else the active point scalars, else the first point array; one
+ * Read a density and prepare it: the point array @p chosen, or where it is null the point array "Density", else the active point scalars, else the first point array; one
  * component, relative to SigmaS and SigmaA. Any origin, spacing, extent and direction matrix; along an axis with a single
  * point the density is constant. @return false, with a sentence in @p error that names what is missing or the point whose
  * value is negative or not finite.
  */
-SHADOWCONESDATA_EXPORT bool ReadDensity(vtkImageData* input, DensityGrid& grid, std::string& error);
+SHADOWCONESDATA_EXPORT bool ReadDensity(
+  vtkImageData* input, vtkDataArray* chosen, DensityGrid& grid, std::string& error);
 
 } // namespace shadowcones
 

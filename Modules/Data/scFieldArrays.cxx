@@ -37,6 +37,11 @@ bool FindArray(vtkFieldData* data, const char* owner, const char* name, int comp
   vtkDataArray*& array, std::string& error)
 {
   array = data->GetArray(name);
+  if (!array && data->GetAbstractArray(name))
+  {
+    error = std::string("The array \"") + name + "\" of the " + owner + " is not numeric.";
+    return false;
+  }
   if (!array)
   {
     if (need == Need::Required)
@@ -93,14 +98,14 @@ void AddIntArray(vtkFieldData* data, const char* name, int components, const std
   AddArray<vtkIntArray>(data, name, components, values);
 }
 
-void AddIdArray(vtkFieldData* data, const char* name, const std::vector<vtkIdType>& values)
+void AddIdArray(vtkFieldData* data, const char* name, const std::vector<vtkIdType>& values, int components)
 {
-  AddArray<vtkIdTypeArray>(data, name, 1, values);
+  AddArray<vtkIdTypeArray>(data, name, components, values);
 }
 
-void AddByteArray(vtkFieldData* data, const char* name, const std::vector<unsigned char>& values)
+void AddByteArray(vtkFieldData* data, const char* name, const std::vector<unsigned char>& values, int components)
 {
-  AddArray<vtkUnsignedCharArray>(data, name, 1, values);
+  AddArray<vtkUnsignedCharArray>(data, name, components, values);
 }
 
 void SetVertices(vtkPolyData* output, const std::vector<double>& points)

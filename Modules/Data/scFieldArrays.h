@@ -46,9 +46,10 @@ SHADOWCONESDATA_EXPORT void AddDoubleArray(
   vtkFieldData* data, const char* name, int components, const std::vector<double>& values);
 SHADOWCONESDATA_EXPORT void AddIntArray(
   vtkFieldData* data, const char* name, int components, const std::vector<int>& values);
-SHADOWCONESDATA_EXPORT void AddIdArray(vtkFieldData* data, const char* name, const std::vector<vtkIdType>& values);
+SHADOWCONESDATA_EXPORT void AddIdArray(
+  vtkFieldData* data, const char* name, const std::vector<vtkIdType>& values, int components = 1);
 SHADOWCONESDATA_EXPORT void AddByteArray(
-  vtkFieldData* data, const char* name, const std::vector<unsigned char>& values);
+  vtkFieldData* data, const char* name, const std::vector<unsigned char>& values, int components = 1);
 /// Points in double precision with one vertex cell each.
 SHADOWCONESDATA_EXPORT void SetVertices(vtkPolyData* output, const std::vector<double>& points);
 

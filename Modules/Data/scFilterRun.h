@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scFilterRun.h
- * @brief What every filter shares: progress and abort, piece requests.
+ * @brief What every filter shares: progress and abort, piece and time requests, inputs that every process has as a whole.
  */
 #ifndef scFilterRun_h
 #define scFilterRun_h
@@ -10,12 +10,27 @@
 #include "scParallel.h"
 #include "vtkType.h"
 
+#include <string>
+
 class vtkAlgorithm;
+class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
 
 namespace shadowcones
 {
+
+/// Is a filter to stop? VTK 9.3 asks what stands before and behind it too; before, a filter has a flag of its own.
+template <typename Algorithm>
+auto IsToStop(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort())
+{
+  return algorithm->CheckAbort();
+}
+template <typename Algorithm>
+bool IsToStop(Algorithm* algorithm, long)
+{
+  return algorithm->GetAbortExecute() != 0;
+}
 
 /// Progress and abort of a filter, as Core sees them.
 SHADOWCONESDATA_EXPORT Monitor MonitorOf(vtkAlgorithm* algorithm);
@@ -36,9 +51,56 @@ SHADOWCONESDATA_EXPORT PieceRequest RequestedPiece(vtkInformation* request, vtkI
 /// Tell the pipeline that every output can be asked for in pieces.
 SHADOWCONESDATA_EXPORT void HandlePieces(vtkInformationVector* outputVector);
 
-/// Ask every input from @p firstPort on for all of its data.
+/**
+ * Tell the pipeline at which times every output can be asked for: at the steps of all inputs, in ascending order and without
+ * repeats; the range is the least that holds all of theirs. No time where no input has any. (The pipeline itself looks at
+ * the first input alone, and does not run a filter again for another time unless the filter offers times.)
+ */
+SHADOWCONESDATA_EXPORT void OfferTimes(
+  vtkAlgorithm* algorithm, vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+
+/// Ask every input from @p firstPort on for all of its data, images for their whole extent.
 SHADOWCONESDATA_EXPORT void RequestWholeInputs(
   vtkAlgorithm* algorithm, vtkInformationVector** inputVector, int firstPort = 0);
+
+/**
+ * Bring all inputs up to date, whole and at their first time: for a RequestInformation that has to look at data. The time
+ * that was asked of them before is asked of them after.
+ */
+SHADOWCONESDATA_EXPORT void UpdateInputs(vtkAlgorithm* algorithm, vtkInformationVector** inputVector);
+
+/// Leave nothing in an output but its kind of extent, by which the pipeline asks for the next one.
+SHADOWCONESDATA_EXPORT void EmptyOutput(vtkDataObject* output);
+
+/// The part of an image's whole extent that is asked for. @return false where that has no point.
+SHADOWCONESDATA_EXPORT bool RequestedExtent(vtkInformation* outputInformation, int extent[6]);
+
+/// One RequestData of a filter: made at its beginning. At its end every output is stamped with the time it stands for.
+class SHADOWCONESDATA_EXPORT FilterRun
+{
+public:
+  FilterRun(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
+  ~FilterRun();
+  FilterRun(const FilterRun&) = delete;
+  FilterRun& operator=(const FilterRun&) = delete;
+
+  /**
+   * Are the inputs from @p firstPort on the same in every process? Filters need them whole: an answer from the part that one
+   * process has would be wrong. Asked where the pipeline runs in parallel: vtkMultiProcessController's global controller
+   * has several processes, and this one is asked for the piece of its own rank. All of them must then run the filter, as
+   * they do in ParaView, and this comes before anything that could fail in one of them only. Not asked where the pipeline
+   * runs the filter for each block of a composite input: processes may have unlike numbers of blocks.
+   * @return false, with a sentence in @p error that names the port and says what to do.
+   */
+  bool AreInputsWhole(std::string& error, int firstPort = 0) const;
+
+private:
+  vtkAlgorithm* Algorithm;
+  vtkInformation* Request;
+  vtkInformationVector** Inputs;
+  vtkInformationVector* Outputs;
+};
 
 } // namespace shadowcones
 

@@ -2,20 +2,32 @@
 #include "scLightData.h"
 
 #include "scFieldArrays.h"
+#include "scGhosts.h"
+#include "scMeshData.h"
+#include "scSentence.h"
+#include "scShapeOfMesh.h"
 #include "scSpectrum.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
+#include "vtkTypeUInt64Array.h"
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace shadowcones
 {
@@ -51,10 +63,24 @@ bool ReadField(vtkFieldData* data, const char* name, vtkIdType count, std::vecto
   return true;
 }
 
-bool ReadVector(vtkFieldData* data, const char* name, Vector3& vector, std::string& error)
+// The same of one of several lights, @p size values each.
+bool ReadField(vtkFieldData* data, const char* name, vtkIdType index, vtkIdType count, vtkIdType size,
+  std::vector<double>& values, std::string& error)
+{
+  std::vector<double> all;
+  if (!ReadField(data, name, count * size, all, error))
+  {
+    return false;
+  }
+  values.assign(all.begin() + index * size, all.begin() + (index + 1) * size);
+  return true;
+}
+
+bool ReadVector(
+  vtkFieldData* data, const char* name, vtkIdType index, vtkIdType count, Vector3& vector, std::string& error)
 {
   std::vector<double> values;
-  if (!ReadField(data, name, 3, values, error))
+  if (!ReadField(data, name, index, count, 3, values, error))
   {
     return false;
   }
@@ -62,23 +88,35 @@ bool ReadVector(vtkFieldData* data, const char* name, Vector3& vector, std::stri
   return true;
 }
 
-// The arrays that the shape uses; others may be missing.
-bool ReadShape(vtkFieldData* data, Light& light, std::string& error)
+bool ReadShapeKind(double value, Light& light, std::string& error)
+{
+  constexpr int last = static_cast<int>(LightShape::Mesh);
+  if (!(value >= 0 && value <= last))
+  {
+    error = "The light's field array \"LightShape\" must be from 0 to " + std::to_string(last) + ".";
+    return false;
+  }
+  light.Shape = static_cast<LightShape>(static_cast<int>(value));
+  return true;
+}
+
+// The arrays that the shape of one of several lights uses; others may be missing.
+bool ReadShape(vtkFieldData* data, vtkIdType index, vtkIdType count, Light& light, std::string& error)
 {
   const LightShape shape = light.Shape;
-  if (shape != LightShape::Sun && !ReadVector(data, "LightCenter", light.Center, error))
+  if (shape != LightShape::Sun && !ReadVector(data, "LightCenter", index, count, light.Center, error))
   {
     return false;
   }
   const bool hasNormal = shape == LightShape::Disc || shape == LightShape::Rectangle || shape == LightShape::Sun;
-  if (hasNormal && !ReadVector(data, "LightNormal", light.Normal, error))
+  if (hasNormal && !ReadVector(data, "LightNormal", index, count, light.Normal, error))
   {
     return false;
   }
   std::vector<double> values;
   if (shape == LightShape::Rectangle)
   {
-    if (!ReadField(data, "LightAxes", 6, values, error))
+    if (!ReadField(data, "LightAxes", index, count, 6, values, error))
     {
       return false;
     }
@@ -87,13 +125,27 @@ bool ReadShape(vtkFieldData* data, Light& light, std::string& error)
   }
   else if (shape != LightShape::Point)
   {
-    if (!ReadField(data, "LightRadius", 1, values, error))
+    if (!ReadField(data, "LightRadius", index, count, 1, values, error))
     {
       return false;
     }
     light.Radius = values[0];
   }
-  return ReadField(data, "LightSpectrum", 0, light.Spectrum, error);
+  std::vector<double> spectra;
+  if (!ReadField(data, "LightSpectrum", 0, spectra, error))
+  {
+    return false;
+  }
+  const auto size = static_cast<std::ptrdiff_t>(spectra.size()) / count;
+  light.Spectrum.assign(spectra.begin() + index * size, spectra.begin() + (index + 1) * size);
+  return true;
+}
+
+bool Prepare(Light& light, std::string& error)
+{
+  const char* fault = PrepareLight(light);
+  error = fault ? fault : "";
+  return !fault;
 }
 
 Vector3 PointAt(vtkPoints* points, vtkIdType id)
@@ -103,53 +155,42 @@ Vector3 PointAt(vtkPoints* points, vtkIdType id)
   return { x[0], x[1], x[2] };
 }
 
-void AddPolygons(vtkPolyData* input, Light& light)
+/// The polygons and strips of the mesh that are there.
+bool AddTriangles(vtkPolyData* input, Light& light, std::string& error)
 {
-  vtkPoints* points = input->GetPoints();
-  vtkNew<vtkPolygon> polygon;
-  vtkNew<vtkIdList> ids;
-  vtkNew<vtkPoints> corners;
-  polygon->GetPoints()->SetDataTypeToDouble();
-  auto cell = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
-  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  TriangleMesh mesh;
+  if (!ReadSurface(input, mesh, error))
   {
-    vtkIdType size = 0;
-    const vtkIdType* cellIds = nullptr;
-    cell->GetCurrentCell(size, cellIds);
-    if (size == 3)
-    {
-      light.Triangles.push_back(
-        { PointAt(points, cellIds[0]), PointAt(points, cellIds[1]), PointAt(points, cellIds[2]) });
-    }
-    else if (size > 3)
-    {
-      // A polygon may be concave: a fan would count area twice.
-      polygon->Initialize(static_cast<int>(size), cellIds, points);
-      polygon->Triangulate(0, ids, corners);
-      for (vtkIdType i = 0; i + 2 < ids->GetNumberOfIds(); i += 3)
-      {
-        light.Triangles.push_back(
-          { PointAt(points, ids->GetId(i)), PointAt(points, ids->GetId(i + 1)), PointAt(points, ids->GetId(i + 2)) });
-      }
-    }
+    error = "The light: " + error;
+    return false;
   }
+  const TriangleMeshView view = mesh.View();
+  for (vtkIdType t = 0; t < view.NumberOfTriangles; ++t)
+  {
+    light.Triangles.push_back({ view.Corner(t, 0), view.Corner(t, 1), view.Corner(t, 2) });
+  }
+  return true;
 }
 
-void AddStrips(vtkPolyData* input, Light& light)
+/// The vertices of the mesh that are there.
+void AddVertices(vtkPolyData* input, Light& light)
 {
-  vtkPoints* points = input->GetPoints();
-  auto cell = vtk::TakeSmartPointer(input->GetStrips()->NewIterator());
-  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  const Ghosts cells(input->GetCellData());
+  const Ghosts points(input->GetPointData());
+  vtkIdType id = 0;
+  auto cell = vtk::TakeSmartPointer(input->GetVerts()->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell(), ++id)
   {
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     cell->GetCurrentCell(size, ids);
-    for (vtkIdType i = 0; i + 2 < size; ++i)
+    const bool there = !cells.IsCellHidden(id) && !cells.IsCellDuplicate(id);
+    for (vtkIdType i = 0; i < size && there; ++i)
     {
-      // Every second triangle of a strip runs the other way round.
-      const vtkIdType flip = i % 2;
-      light.Triangles.push_back(
-        { PointAt(points, ids[i]), PointAt(points, ids[i + 1 + flip]), PointAt(points, ids[i + 2 - flip]) });
+      if (!points.IsPointHidden(ids[i]) && !points.IsPointDuplicate(ids[i]))
+      {
+        light.Vertices.push_back(PointAt(input->GetPoints(), ids[i]));
+      }
     }
   }
 }
@@ -163,9 +204,10 @@ bool ReadMesh(vtkPolyData* input, Light& light, std::string& error)
     error = "The light is empty: it has neither polygons nor vertices.";
     return false;
   }
+  const Ghosts hidden(input->GetPointData());
   for (vtkIdType id = 0; id < input->GetNumberOfPoints(); ++id)
   {
-    if (!IsFinite(PointAt(input->GetPoints(), id)))
+    if (!hidden.IsPointHidden(id) && !IsFinite(PointAt(input->GetPoints(), id)))
     {
       error = "Point " + std::to_string(id) + " of the light is not finite.";
       return false;
@@ -173,8 +215,10 @@ bool ReadMesh(vtkPolyData* input, Light& light, std::string& error)
   }
   if (numberOfFaces > 0)
   {
-    AddPolygons(input, light);
-    AddStrips(input, light);
+    if (!AddTriangles(input, light, error))
+    {
+      return false;
+    }
     if (light.Triangles.empty())
     {
       error = "The light's mesh has zero area.";
@@ -183,23 +227,147 @@ bool ReadMesh(vtkPolyData* input, Light& light, std::string& error)
   }
   else
   {
-    auto cell = vtk::TakeSmartPointer(input->GetVerts()->NewIterator());
-    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-    {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      cell->GetCurrentCell(size, ids);
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        light.Vertices.push_back(PointAt(input->GetPoints(), ids[i]));
-      }
-    }
+    AddVertices(input, light);
   }
   if (input->GetFieldData()->GetArray("LightSpectrum"))
   {
     return ReadField(input->GetFieldData(), "LightSpectrum", 0, light.Spectrum, error);
   }
   light.Spectrum.assign(DefaultNumberOfWavelengths, 1.0);
+  return true;
+}
+
+// By how much the light's points may be off: rounding of their type, and of files that are text.
+double PointTolerance(vtkPolyData* input, const Light& light)
+{
+  const bool isDouble = input->GetPoints()->GetDataType() == VTK_DOUBLE;
+  const double* b = input->GetBounds();
+  const double largest = std::max(
+    { std::fabs(b[0]), std::fabs(b[1]), std::fabs(b[2]), std::fabs(b[3]), std::fabs(b[4]), std::fabs(b[5]) });
+  const double size = light.Shape == LightShape::Rectangle
+    ? std::min(Length(light.AxisU), Length(light.AxisV))
+    : light.Radius;
+  const double rounding = (isDouble ? 1e-15 : 3e-7) * largest;
+  const double text = (isDouble ? 1e-10 : 1e-5) * largest;
+  constexpr double largestShare = 1e-3;
+  return light.Shape == LightShape::Point ? text : std::max(rounding, std::min(text, largestShare * size));
+}
+
+const char* NameOf(LightShape shape)
+{
+  constexpr const char* names[] = { "Disc", "Rectangle", "Sphere", "Point", "Sun", "Mesh" };
+  return names[static_cast<int>(shape)];
+}
+
+// Take the direction of the normal of a Sun's vertex, which transforms turn. @return false where it has none.
+bool TurnSun(vtkPolyData* input, Light& sun)
+{
+  constexpr double rounding = 1e-6; // of normals in single precision
+  vtkDataArray* normals = input->GetPointData()->GetNormals();
+  if (!normals || normals->GetNumberOfTuples() != 1)
+  {
+    return false;
+  }
+  const Vector3 normal =
+    Normalized({ normals->GetComponent(0, 0), normals->GetComponent(0, 1), normals->GetComponent(0, 2) });
+  if (!(Dot(normal, normal) > 0.5))
+  {
+    return false;
+  }
+  sun.Normal = Length(normal - sun.Normal) > rounding ? normal : sun.Normal;
+  return true;
+}
+
+// Points and suns are a vertex; polygons cannot stand for them.
+bool FitVertex(vtkPolyData* input, const Light& mesh, double tolerance, Light& light, std::string& error,
+  std::string* warning)
+{
+  const char* name = NameOf(light.Shape);
+  if (!mesh.Triangles.empty() || mesh.Vertices.empty() ||
+    (light.Shape == LightShape::Sun && mesh.Vertices.size() != 1))
+  {
+    error = Sentence("The light's \"LightShape\" is ", name, ", which is one vertex, and the light has ",
+      mesh.Triangles.size(), " triangles and ", mesh.Vertices.size(),
+      " vertices: connect every lamp by itself with AddLightConnection().");
+    return false;
+  }
+  const double distance = Length(mesh.Vertices.front() - light.Center);
+  if (light.Shape == LightShape::Point && mesh.Vertices.size() == 1 && distance <= tolerance)
+  {
+    return true;
+  }
+  if (light.Shape == LightShape::Sun)
+  {
+    if (!TurnSun(input, light) && distance > tolerance && warning)
+    {
+      *warning = Sentence("The vertex of the light, a Sun, lies ", distance,
+        " from where it was made: a Sun has a direction and no place, and does not turn with its vertex. Turn the "
+        "vtkAreaLightSource itself.");
+    }
+    return true;
+  }
+  // A point that was moved is a point still.
+  if (mesh.Vertices.size() == 1)
+  {
+    light.Center = mesh.Vertices.front();
+    return true;
+  }
+  if (warning)
+  {
+    *warning = Sentence("The light's \"LightShape\" is Point and it has ", mesh.Vertices.size(),
+      " vertices: each is a point light of the one intensity in the field data. Connect every lamp by itself with "
+      "AddLightConnection().");
+  }
+  light = mesh;
+  return true;
+}
+
+// An exact shape is believed where it fits the mesh.
+bool FitShape(vtkPolyData* input, Light& light, std::string& error, std::string* warning)
+{
+  if (input->GetNumberOfPoints() == 0 ||
+    input->GetNumberOfPolys() + input->GetNumberOfStrips() + input->GetNumberOfVerts() == 0)
+  {
+    return true; // there is nothing to hold it against
+  }
+  Light mesh;
+  if (!ReadMesh(input, mesh, error) || !Prepare(mesh, error))
+  {
+    return false;
+  }
+  mesh.Spectrum = light.Spectrum;
+  if (light.Shape == LightShape::Sun)
+  {
+    // Its center is read to tell whether it was moved.
+    ReadVector(input->GetFieldData(), "LightCenter", 0, 1, light.Center, error);
+    light.Center = error.empty() ? light.Center : mesh.Vertices.empty() ? Vector3() : mesh.Vertices.front();
+    error.clear();
+  }
+  const double tolerance = PointTolerance(input, light);
+  if (light.Shape == LightShape::Point || light.Shape == LightShape::Sun)
+  {
+    const bool fits = FitVertex(input, mesh, tolerance, light, error, warning);
+    light.Center = light.Shape == LightShape::Sun ? Vector3() : light.Center;
+    return fits;
+  }
+  if (mesh.Triangles.empty())
+  {
+    error = Sentence("The light's \"LightShape\" is ", NameOf(light.Shape), " and the light has no polygon.");
+    return false;
+  }
+  const ShapeMisfit misfit = MisfitOf(light, mesh.Triangles, tolerance);
+  if (IsFit(light, misfit, tolerance) || FindShape(mesh.Triangles, tolerance, light))
+  {
+    return true;
+  }
+  if (warning)
+  {
+    *warning = Sentence("The light's \"LightShape\" is ", NameOf(light.Shape),
+      " and does not fit its mesh, which lies up to ", misfit.Distance, " away from it and has ", misfit.Share,
+      " of its area: the polygons shine instead. Move and scale the vtkAreaLightSource itself, and connect every lamp "
+      "by itself with AddLightConnection().");
+  }
+  light = mesh;
   return true;
 }
 
@@ -222,7 +390,108 @@ void WriteLightFieldData(const Light& light, vtkDataObject* output)
 }
 
 //------------------------------------------------------------------------------
-bool ReadLight(vtkPolyData* input, Light& light, std::string& error)
+void WriteLightFingerprints(const std::vector<Light>& lights, vtkDataObject* output)
+{
+  vtkNew<vtkTypeUInt64Array> fingerprints;
+  fingerprints->SetName("LightFingerprint");
+  for (const Light& light : lights)
+  {
+    fingerprints->InsertNextValue(FingerprintOf(light));
+  }
+  output->GetFieldData()->AddArray(fingerprints);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint64_t> ReadLightFingerprints(vtkFieldData* data)
+{
+  std::vector<std::uint64_t> fingerprints;
+  vtkAbstractArray* array = data->GetAbstractArray("LightFingerprint");
+  for (vtkIdType k = 0; array && k < array->GetNumberOfValues(); ++k)
+  {
+    fingerprints.push_back(array->GetVariantValue(k).ToTypeUInt64());
+  }
+  return fingerprints;
+}
+
+//------------------------------------------------------------------------------
+void RemoveLightFieldData(vtkFieldData* data)
+{
+  for (const char* name : { "LightShape", "LightCenter", "LightNormal", "LightAxes", "LightRadius", "LightSpectrum",
+         "LightWavelengths", "LightFingerprint" })
+  {
+    data->RemoveArray(name);
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteLights(const std::vector<Light>& lights, vtkDataObject* output)
+{
+  vtkFieldData* data = output->GetFieldData();
+  RemoveLightFieldData(data); // of a lamp that is an occluder
+  WriteLightFingerprints(lights, output);
+  if (lights.size() == 1 && lights.front().Shape != LightShape::Mesh)
+  {
+    WriteLightFieldData(lights.front(), output);
+  }
+  if (lights.size() < 2)
+  {
+    return;
+  }
+  std::vector<int> shapes;
+  std::vector<double> centers, normals, axes, radii, spectra;
+  const auto append = [](std::vector<double>& values, const Vector3& v)
+  { values.insert(values.end(), { v.X, v.Y, v.Z }); };
+  for (const Light& light : lights)
+  {
+    shapes.push_back(static_cast<int>(light.Shape));
+    append(centers, light.Center);
+    append(normals, light.Normal);
+    append(axes, light.AxisU);
+    append(axes, light.AxisV);
+    radii.push_back(light.Radius);
+    spectra.insert(spectra.end(), light.Spectrum.begin(), light.Spectrum.end());
+  }
+  AddIntArray(data, "LightShape", 1, shapes);
+  AddDoubleArray(data, "LightCenter", 3, centers);
+  AddDoubleArray(data, "LightNormal", 3, normals);
+  AddDoubleArray(data, "LightAxes", 6, axes);
+  AddDoubleArray(data, "LightRadius", 1, radii);
+  AddDoubleArray(data, "LightSpectrum", static_cast<int>(lights.front().Spectrum.size()), spectra);
+}
+
+//------------------------------------------------------------------------------
+bool ReadLightShapes(vtkFieldData* data, std::vector<Light>& lights, std::string& error)
+{
+  lights.clear();
+  error.clear();
+  vtkDataArray* shapes = data->GetArray("LightShape");
+  const vtkIdType count = shapes ? shapes->GetNumberOfValues() : 0;
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    Light light;
+    if (!ReadShapeKind(shapes->GetComponent(k, 0), light, error))
+    {
+      return false;
+    }
+    if (light.Shape != LightShape::Mesh)
+    {
+      if (!ReadShape(data, k, count, light, error))
+      {
+        return false;
+      }
+      if (const char* fault = PrepareLight(light))
+      {
+        error = fault;
+        return false;
+      }
+    }
+    lights.push_back(std::move(light));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ReadLight(vtkPolyData* input, Light& light, std::string& error, std::string* warning)
 {
   light = {};
   error.clear();
@@ -231,40 +500,26 @@ bool ReadLight(vtkPolyData* input, Light& light, std::string& error)
     error = "There is no light.";
     return false;
   }
-  std::vector<double> shape;
-  constexpr int last = static_cast<int>(LightShape::Mesh);
-  bool read = false;
-  if (!input->GetFieldData()->HasArray("LightShape"))
+  if (input->GetFieldData()->HasArray("LightShape"))
   {
-    read = ReadMesh(input, light, error);
-  }
-  else if (ReadField(input->GetFieldData(), "LightShape", 1, shape, error))
-  {
-    if (!(shape[0] >= 0 && shape[0] <= last))
+    std::vector<double> values;
+    if (!ReadField(input->GetFieldData(), "LightShape", 1, values, error) || !ReadShapeKind(values[0], light, error))
     {
-      error = "The light's field array \"LightShape\" must be from 0 to " + std::to_string(last) + ".";
       return false;
     }
-    light.Shape = static_cast<LightShape>(static_cast<int>(shape[0]));
-    read =
-      light.Shape == LightShape::Mesh ? ReadMesh(input, light, error) : ReadShape(input->GetFieldData(), light, error);
+    if (light.Shape != LightShape::Mesh)
+    {
+      return ReadShape(input->GetFieldData(), 0, 1, light, error) && Prepare(light, error) &&
+        FitShape(input, light, error, warning);
+    }
   }
-  if (!read)
-  {
-    return false;
-  }
-  const char* fault = PrepareLight(light);
-  if (fault)
-  {
-    error = fault;
-  }
-  return !fault;
+  return ReadMesh(input, light, error) && Prepare(light, error);
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> ReadWavelengths(vtkPolyData* light, std::size_t count)
+std::vector<double> ReadWavelengths(vtkDataObject* data, std::size_t count)
 {
-  vtkDataArray* array = light->GetFieldData()->GetArray("LightWavelengths");
+  vtkDataArray* array = data->GetFieldData()->GetArray("LightWavelengths");
   std::vector<double> wavelengths = DefaultWavelengths(static_cast<int>(count));
   if (array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == static_cast<vtkIdType>(count))
   {

@@ -2,6 +2,9 @@
 #include "scMeshData.h"
 
 #include "scFieldArrays.h"
+#include "scGhosts.h"
+#include "scOccluderNames.h"
+#include "scPolygonTriangulation.h"
 #include "scSentence.h"
 #include "scTuples.h"
 
@@ -9,114 +12,19 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
+#include "vtkDataObject.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolygon.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace shadowcones
 {
 namespace
 {
-
-/// Triangles of one polygon, as indices into its corners.
-class PolygonTriangulator
-{
-public:
-  void Triangulate(const double* points, vtkIdType count, const vtkIdType* ids, std::vector<int>& triangles)
-  {
-    triangles.clear();
-    if (count == 3)
-    {
-      triangles = { 0, 1, 2 };
-    }
-    else if (count == 4)
-    {
-      this->TriangulateQuad(points, ids, triangles);
-    }
-    else if (count > 4)
-    {
-      this->CutEars(points, count, ids, triangles);
-    }
-  }
-
-private:
-  static Vector3 At(const double* points, vtkIdType id)
-  {
-    return { points[3 * id], points[3 * id + 1], points[3 * id + 2] };
-  }
-
-  static void TriangulateQuad(const double* points, const vtkIdType* ids, std::vector<int>& triangles)
-  {
-    const Vector3 origin = At(points, ids[0]);
-    const Vector3 corner[4] = { {}, At(points, ids[1]) - origin, At(points, ids[2]) - origin,
-      At(points, ids[3]) - origin };
-    const auto agreement = [&corner](int a, int b, int c, int d)
-    {
-      const Vector3 first = Cross(corner[b] - corner[a], corner[c] - corner[a]);
-      const Vector3 second = Cross(corner[c] - corner[a], corner[d] - corner[a]);
-      return Dot(first, second);
-    };
-    // A diagonal outside a concave quad gives two triangles that face opposite ways; else the shorter one is the
-    // better.
-    const double even = agreement(0, 1, 2, 3);
-    const double odd = agreement(1, 2, 3, 0);
-    const bool evenValid = even > 0.0;
-    const bool oddValid = odd > 0.0;
-    const bool oddShorter = Length(corner[1] - corner[3]) < Length(corner[0] - corner[2]);
-    if (oddValid && (!evenValid || oddShorter))
-    {
-      triangles = { 1, 2, 3, 1, 3, 0 };
-    }
-    else
-    {
-      triangles = { 0, 1, 2, 0, 2, 3 };
-    }
-  }
-
-  void CutEars(const double* points, vtkIdType count, const vtkIdType* ids, std::vector<int>& triangles)
-  {
-    // Centred and scaled, because vtkPolygon's tolerances suit coordinates near the origin.
-    const Vector3 origin = At(points, ids[0]);
-    double size = 0.0;
-    for (vtkIdType i = 1; i < count; ++i)
-    {
-      size = std::max(size, Length(At(points, ids[i]) - origin));
-    }
-    const double scale = size > 0.0 ? 1.0 / size : 1.0;
-    this->Polygon->Points->SetDataTypeToDouble();
-    this->Polygon->Points->SetNumberOfPoints(count);
-    this->Polygon->PointIds->SetNumberOfIds(count);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      const Vector3 p = scale * (At(points, ids[i]) - origin);
-      this->Polygon->Points->SetPoint(i, p.X, p.Y, p.Z);
-      this->Polygon->PointIds->SetId(i, i);
-    }
-    if (size > 0.0 && this->Polygon->EarCutTriangulation(this->Corners) &&
-      this->Corners->GetNumberOfIds() == 3 * (count - 2))
-    {
-      for (vtkIdType i = 0; i < this->Corners->GetNumberOfIds(); ++i)
-      {
-        triangles.push_back(static_cast<int>(this->Corners->GetId(i)));
-      }
-      return;
-    }
-    // Degenerate or self-intersecting: a fan keeps its outline.
-    for (int i = 1; i + 1 < count; ++i)
-    {
-      triangles.insert(triangles.end(), { 0, i, i + 1 });
-    }
-  }
-
-  vtkNew<vtkPolygon> Polygon;
-  vtkNew<vtkIdList> Corners;
-};
 
 /// The cell's points are there and finite; else a sentence.
 bool CheckCell(
@@ -140,6 +48,246 @@ bool CheckCell(
   return true;
 }
 
+/// Adds the triangles of one poly data to a mesh.
+class TriangleReader
+{
+public:
+  TriangleReader(const MeshBlock& block, TriangleMesh& mesh)
+    : Block(block)
+    , CellGhosts(block.Data->GetCellData())
+    , PointGhosts(block.Data->GetPointData())
+    , Mesh(mesh)
+  {
+    CopyPoints(block.Data, this->Points);
+  }
+
+  bool Read(std::string& error)
+  {
+    vtkPolyData* data = this->Block.Data;
+    vtkIdType cell = 0;
+    for (; cell < data->GetNumberOfVerts() + data->GetNumberOfLines(); ++cell)
+    {
+      this->Mesh.NumberOfCells += this->IsThere(cell, 0, nullptr);
+    }
+    const auto addPolygon = [this, &error](vtkIdType polygon, vtkIdType count, const vtkIdType* ids)
+    { return this->AddPolygon(polygon, count, ids, error); };
+    const auto addStrip = [this](vtkIdType strip, vtkIdType count, const vtkIdType* ids)
+    { return this->AddStrip(strip, count, ids); };
+    const bool read = this->ForEachCell(data->GetPolys(), cell, addPolygon, error) &&
+      this->ForEachCell(data->GetStrips(), cell, addStrip, error);
+    this->Mesh.Points.insert(this->Mesh.Points.end(), this->Points.begin(), this->Points.end());
+    return read;
+  }
+
+private:
+  bool IsThere(vtkIdType cell, vtkIdType count, const vtkIdType* ids) const
+  {
+    return !this->CellGhosts.IsCellHidden(cell) && !this->CellGhosts.IsCellDuplicate(cell) &&
+      std::none_of(ids, ids + count, [this](vtkIdType id) { return this->PointGhosts.IsPointHidden(id); });
+  }
+
+  template <typename Add>
+  bool ForEachCell(vtkCellArray* cells, vtkIdType& cell, const Add& add, std::string& error)
+  {
+    auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+    for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell(), ++cell)
+    {
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      iterator->GetCurrentCell(count, ids);
+      if (this->IsThere(cell, count, ids))
+      {
+        ++this->Mesh.NumberOfCells;
+        if (!CheckCell(this->Points, cell, count, ids, error) || !add(cell, count, ids))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  bool AddPolygon(vtkIdType cell, vtkIdType count, const vtkIdType* ids, std::string& error)
+  {
+    this->Corners.clear();
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const double* p = this->Points.data() + 3 * ids[i];
+      this->Corners.push_back({ p[0], p[1], p[2] });
+    }
+    if (!TriangulatePolygon(this->Corners, this->Triangles))
+    {
+      error = Sentence("Cell ", cell, ", a polygon of ", count,
+        " corners, crosses itself or goes round a place twice: it has no one area. Cut it into simple polygons.");
+      return false;
+    }
+    for (std::size_t i = 0; i + 2 < this->Triangles.size(); i += 3)
+    {
+      this->AddTriangle(cell, ids[this->Triangles[i]], ids[this->Triangles[i + 1]], ids[this->Triangles[i + 2]]);
+    }
+    return true;
+  }
+
+  /// Every second triangle of a strip runs the other way round.
+  bool AddStrip(vtkIdType cell, vtkIdType count, const vtkIdType* ids)
+  {
+    for (vtkIdType i = 0; i + 2 < count; ++i)
+    {
+      this->AddTriangle(cell, ids[i], ids[i % 2 ? i + 2 : i + 1], ids[i % 2 ? i + 1 : i + 2]);
+    }
+    return true;
+  }
+
+  void AddTriangle(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
+  {
+    const vtkIdType first = this->Block.FirstPoint;
+    this->Mesh.Triangles.insert(this->Mesh.Triangles.end(), { first + a, first + b, first + c });
+    this->Mesh.SourceCells.push_back(this->Block.FirstCell + cell);
+  }
+
+  const MeshBlock& Block;
+  Ghosts CellGhosts;
+  Ghosts PointGhosts;
+  TriangleMesh& Mesh;
+  std::vector<double> Points;
+  std::vector<Vector3> Corners;
+  std::vector<int> Triangles;
+};
+
+/// Gives the triangles of blocks, one after the other, their occluders.
+class OccluderReader
+{
+public:
+  OccluderReader(TriangleMesh& mesh, bool onePerBlock)
+    : Mesh(mesh)
+    , OnePerBlock(onePerBlock)
+  {
+  }
+
+  /// Triangles from the first that has no occluder yet are those of the block.
+  bool Read(const MeshBlock& block, std::string& error)
+  {
+    vtkPolyData* data = block.Data;
+    vtkDataArray* array = nullptr;
+    if (!FindArray(
+          data->GetCellData(), "mesh", "OccluderId", 1, data->GetNumberOfCells(), Need::Optional, array, error))
+    {
+      return false;
+    }
+    if (!array)
+    {
+      if (this->OnePerBlock)
+      {
+        const int id = this->Numbers.Of(
+          "block " + std::to_string(block.Number), block.Name.empty() ? std::to_string(block.Number) : block.Name);
+        this->Mesh.OccluderIds.resize(this->Mesh.SourceCells.size(), id);
+      }
+      return true;
+    }
+    std::vector<GivenId> given;
+    if (!ReadGivenIds(array, "cell", given, error))
+    {
+      return false;
+    }
+    this->Add(block, given, ReadOccluderNames(data->GetFieldData()));
+    return true;
+  }
+
+  std::vector<std::string> TakeNames() { return std::move(this->Numbers.Names); }
+
+private:
+  void Add(const MeshBlock& block, const std::vector<GivenId>& given, const std::vector<std::string>& names)
+  {
+    const bool named = !names.empty() &&
+      std::all_of(given.begin(), given.end(),
+        [&names](const GivenId& id) { return id.Receiver || (id.Rest == 0.0 && id.Whole < names.size()); });
+    const bool asTheyAre = named && this->Mesh.Blocks.size() == 1;
+    if (asTheyAre)
+    {
+      this->Numbers.Names = names;
+    }
+    std::map<GivenId, int> ids;
+    for (std::size_t t = this->Mesh.OccluderIds.size(); t < this->Mesh.SourceCells.size(); ++t)
+    {
+      const GivenId& id = given[static_cast<std::size_t>(this->Mesh.SourceCells[t] - block.FirstCell)];
+      this->Mesh.OccluderIds.push_back(id.Receiver ? -1
+          : asTheyAre                              ? static_cast<int>(id.Whole)
+                                                   : this->Of(id, named, names, ids));
+    }
+  }
+
+  int Of(const GivenId& id, bool named, const std::vector<std::string>& names, std::map<GivenId, int>& ids)
+  {
+    const auto found = ids.emplace(id, -1);
+    if (found.second)
+    {
+      const std::string text = id.Text();
+      const std::string& name = named ? names[static_cast<std::size_t>(id.Whole)] : text;
+      found.first->second = this->Numbers.Of("id " + text + " " + name, name);
+    }
+    return found.first->second;
+  }
+
+  TriangleMesh& Mesh;
+  bool OnePerBlock;
+  OccluderNumbers Numbers;
+};
+
+/// Read one block after those that are there already; without @p occluders its ids are left alone.
+bool ReadBlock(const MeshBlock& block, OccluderReader* occluders, TriangleMesh& mesh, std::string& error)
+{
+  const vtkIdType cells = mesh.NumberOfCells;
+  const std::size_t triangles = mesh.SourceCells.size();
+  if (!TriangleReader(block, mesh).Read(error) || (occluders && !occluders->Read(block, error)))
+  {
+    return false;
+  }
+  if (mesh.Blocks.size() > 1 && mesh.SourceCells.size() == triangles && mesh.NumberOfCells > cells)
+  {
+    error = Sentence("It has ", mesh.NumberOfCells - cells, " cells and no polygon, and is no surface: take it out.");
+    return false;
+  }
+  return true;
+}
+
+/// Read the blocks that the mesh is to consist of.
+bool ReadBlocks(bool composite, OccluderReader* occluders, TriangleMesh& mesh, std::string& error)
+{
+  for (const MeshBlock& block : mesh.Blocks)
+  {
+    if (!ReadBlock(block, occluders, mesh, error))
+    {
+      error = composite ? "Block " + block.Label() + ": " + error : error;
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The "Reflectance" of a block, which may have none. @return false where it does not fit.
+bool FindReflectance(vtkPolyData* data, std::size_t wavelengths, vtkDataArray*& array, std::string& error)
+{
+  array = data->GetCellData()->GetArray("Reflectance");
+  if (!array)
+  {
+    return true;
+  }
+  const int components = array->GetNumberOfComponents();
+  if (components != 1 && components != static_cast<int>(wavelengths))
+  {
+    error = Sentence("Cell array \"Reflectance\" of the mesh has ", components, " components: it must have 1, or ",
+      wavelengths, " as the light has wavelength samples.");
+    return false;
+  }
+  if (array->GetNumberOfTuples() != data->GetNumberOfCells())
+  {
+    error = Sentence("Cell array \"Reflectance\" of the mesh has ", array->GetNumberOfTuples(), " tuples for ",
+      data->GetNumberOfCells(), " cells.");
+    return false;
+  }
+  return true;
+}
+
 } // namespace
 
 TriangleMeshView TriangleMesh::View() const
@@ -153,7 +301,21 @@ TriangleMeshView TriangleMesh::View() const
   return view;
 }
 
-bool ReadTriangles(vtkPolyData* input, TriangleMesh& mesh, std::string& error)
+std::size_t TriangleMesh::BlockOfPoint(vtkIdType point) const
+{
+  const auto next = std::upper_bound(this->Blocks.begin(), this->Blocks.end(), point,
+    [](vtkIdType id, const MeshBlock& block) { return id < block.FirstPoint; });
+  return static_cast<std::size_t>(next - this->Blocks.begin()) - 1;
+}
+
+std::size_t TriangleMesh::BlockOfCell(vtkIdType cell) const
+{
+  const auto next = std::upper_bound(this->Blocks.begin(), this->Blocks.end(), cell,
+    [](vtkIdType id, const MeshBlock& block) { return id < block.FirstCell; });
+  return static_cast<std::size_t>(next - this->Blocks.begin()) - 1;
+}
+
+bool ReadTriangles(vtkDataObject* input, TriangleMesh& mesh, std::string& error)
 {
   mesh = TriangleMesh();
   if (!input)
@@ -161,67 +323,24 @@ bool ReadTriangles(vtkPolyData* input, TriangleMesh& mesh, std::string& error)
     error = "There is no mesh.";
     return false;
   }
-  CopyPoints(input, mesh.Points);
-  const auto addTriangle = [&mesh](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
-  {
-    mesh.Triangles.insert(mesh.Triangles.end(), { a, b, c });
-    mesh.SourceCells.push_back(cell);
-  };
-  mesh.Triangles.reserve(3 * static_cast<std::size_t>(input->GetNumberOfPolys()));
-  mesh.SourceCells.reserve(static_cast<std::size_t>(input->GetNumberOfPolys()));
-
-  vtkIdType cell = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  PolygonTriangulator triangulator;
-  std::vector<int> corners;
-  auto polys = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
-  for (polys->GoToFirstCell(); !polys->IsDoneWithTraversal(); polys->GoToNextCell(), ++cell)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    polys->GetCurrentCell(count, ids);
-    if (!CheckCell(mesh.Points, cell, count, ids, error))
-    {
-      return false;
-    }
-    triangulator.Triangulate(mesh.Points.data(), count, ids, corners);
-    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-    {
-      addTriangle(cell, ids[corners[i]], ids[corners[i + 1]], ids[corners[i + 2]]);
-    }
-  }
-  auto strips = vtk::TakeSmartPointer(input->GetStrips()->NewIterator());
-  for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell(), ++cell)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    strips->GetCurrentCell(count, ids);
-    if (!CheckCell(mesh.Points, cell, count, ids, error))
-    {
-      return false;
-    }
-    for (vtkIdType i = 0; i + 2 < count; ++i)
-    {
-      addTriangle(cell, ids[i], ids[i % 2 ? i + 2 : i + 1], ids[i % 2 ? i + 1 : i + 2]);
-    }
-  }
-
-  vtkDataArray* occluderIds = nullptr;
-  if (!FindArray(
-        input->GetCellData(), "mesh", "OccluderId", 1, input->GetNumberOfCells(), Need::Optional, occluderIds, error))
+  if (!CollectBlocks(input, mesh.Blocks, error))
   {
     return false;
   }
-  if (occluderIds)
+  const bool composite = vtkPolyData::SafeDownCast(input) == nullptr;
+  OccluderReader occluders(mesh, composite);
+  if (!ReadBlocks(composite, &occluders, mesh, error))
   {
-    std::vector<int> perCell;
-    CopyInts(occluderIds, perCell);
-    mesh.OccluderIds.reserve(mesh.SourceCells.size());
-    for (const vtkIdType source : mesh.SourceCells)
-    {
-      mesh.OccluderIds.push_back(perCell[source]);
-    }
+    return false;
   }
+  mesh.OccluderNames = occluders.TakeNames();
   return true;
+}
+
+bool ReadSurface(vtkPolyData* input, TriangleMesh& mesh, std::string& error)
+{
+  mesh = TriangleMesh();
+  return CollectBlocks(input, mesh.Blocks, error) && ReadBlocks(false, nullptr, mesh, error);
 }
 
 void DropReceivers(TriangleMesh& mesh)
@@ -245,34 +364,29 @@ void DropReceivers(TriangleMesh& mesh)
   mesh.Triangles.resize(3 * kept);
 }
 
-bool ReadReflectance(vtkPolyData* mesh, const std::vector<vtkIdType>& sourceCells, std::size_t wavelengths,
-  SurfaceReflectance& reflectance, std::string& error)
+bool ReadReflectance(const TriangleMesh& mesh, std::size_t wavelengths, double missing, SurfaceReflectance& reflectance,
+  std::string& error)
 {
-  vtkDataArray* array = mesh->GetCellData()->GetArray("Reflectance");
-  if (!array)
+  std::vector<vtkDataArray*> arrays(mesh.Blocks.size(), nullptr);
+  int most = 0;
+  for (std::size_t b = 0; b < arrays.size(); ++b)
   {
-    return true;
-  }
-  const int components = array->GetNumberOfComponents();
-  if (components != 1 && components != static_cast<int>(wavelengths))
-  {
-    error = Sentence("Cell array \"Reflectance\" of the mesh has ", components, " components: it must have 1, or ",
-      wavelengths, " as the light has wavelength samples.");
-    return false;
-  }
-  if (array->GetNumberOfTuples() != mesh->GetNumberOfCells())
-  {
-    error = Sentence("Cell array \"Reflectance\" of the mesh has ", array->GetNumberOfTuples(), " tuples for ",
-      mesh->GetNumberOfCells(), " cells.");
-    return false;
-  }
-  reflectance.Components = components;
-  reflectance.Values.reserve(sourceCells.size() * static_cast<std::size_t>(components));
-  for (const vtkIdType cell : sourceCells)
-  {
-    for (int c = 0; c < components; ++c)
+    if (!FindReflectance(mesh.Blocks[b].Data, wavelengths, arrays[b], error))
     {
-      const double value = array->GetComponent(cell, c);
+      return false;
+    }
+    most = std::max(most, arrays[b] ? arrays[b]->GetNumberOfComponents() : 0);
+  }
+  reflectance.Components = most;
+  reflectance.Values.reserve(most > 0 ? mesh.SourceCells.size() * static_cast<std::size_t>(most) : 0);
+  for (std::size_t t = 0; t < mesh.SourceCells.size() && most > 0; ++t)
+  {
+    const std::size_t block = mesh.BlockOfCell(mesh.SourceCells[t]);
+    const vtkIdType cell = mesh.SourceCells[t] - mesh.Blocks[block].FirstCell;
+    vtkDataArray* array = arrays[block];
+    for (int c = 0; c < most; ++c)
+    {
+      const double value = array ? array->GetComponent(cell, array->GetNumberOfComponents() > 1 ? c : 0) : missing;
       if (!(value >= 0.0 && value <= 1.0))
       {
         error =

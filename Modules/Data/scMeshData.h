@@ -1,40 +1,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scMeshData.h
- * @brief Meshes as poly data: triangles, receivers, reflectances.
+ * @brief Meshes as poly data and composites of them: triangles, receivers, reflectances.
  */
 #ifndef scMeshData_h
 #define scMeshData_h
 
 #include "ShadowConesDataModule.h"
+#include "scMeshBlocks.h"
 #include "scOccluderScene.h"
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkPolyData;
 
 namespace shadowcones
 {
 
-/// A poly data's polygons and strips as triangles, in double precision; holds what TriangleMeshView points to.
+/// The polygons and strips of a mesh as triangles, in double precision; holds what TriangleMeshView points to.
 struct SHADOWCONESDATA_EXPORT TriangleMesh
 {
   std::vector<double> Points;
   std::vector<vtkIdType> Triangles;
-  std::vector<int> OccluderIds;       ///< per triangle; empty where the input has no cell array "OccluderId"
-  std::vector<vtkIdType> SourceCells; ///< per triangle, the cell of the input that it comes from
+  std::vector<int> OccluderIds;           ///< per triangle, from 0, -1: a receiver; empty where the input has no ids
+  std::vector<std::string> OccluderNames; ///< by id: the id or block name that was given; empty where there is none
+  std::vector<vtkIdType> SourceCells;     ///< per triangle its cell of the input, counted on over all blocks
+  std::vector<MeshBlock> Blocks;          ///< what it was read from; one for a poly data
+  vtkIdType NumberOfCells = 0;            ///< of any kind that are there: neither hidden nor another rank's
 
   TriangleMeshView View() const;
+  /// Index into Blocks of what has this point or this of the SourceCells.
+  std::size_t BlockOfPoint(vtkIdType point) const;
+  std::size_t BlockOfCell(vtkIdType cell) const;
 };
 
 /**
- * Read the polygons and strips of @p input as triangles; concave polygons are fine, lines and vertices are ignored.
+ * Read the polygons and strips of @p input as triangles; concave polygons and polygons with bridged holes are fine, lines
+ * and vertices are ignored. Composite data are joined. Cells that "vtkGhostType" marks as duplicate or hidden, and cells
+ * that use a hidden point, are not there.
+ *
+ * Ids: every value >= 0 of the cell array "OccluderId", of any numeric type, is a caster, below 0 a receiver. Occluders
+ * are numbered from 0 in the order in which they are met, and OccluderNames has the ids as text. Where field array
+ * "OccluderNames" names every id, as in what vtkLabelOccluders gives, both are taken as they are. Blocks without ids are an
+ * occluder each.
+ *
  * @return false, with a sentence in @p error that names the point that is not finite, the cell that uses a point that
- * is not there, or a cell array "OccluderId" of the wrong size. Empty input gives an empty mesh.
+ * is not there, that crosses itself or whose id is not a number, a cell array "OccluderId" of the wrong size, or the block
+ * that is no surface. Empty input gives an empty mesh.
  */
-SHADOWCONESDATA_EXPORT bool ReadTriangles(vtkPolyData* input, TriangleMesh& mesh, std::string& error);
+SHADOWCONESDATA_EXPORT bool ReadTriangles(vtkDataObject* input, TriangleMesh& mesh, std::string& error);
+/// The same triangles alone, without ids: of a light.
+SHADOWCONESDATA_EXPORT bool ReadSurface(vtkPolyData* input, TriangleMesh& mesh, std::string& error);
 
 /// Leave out the triangles of receivers, whose "OccluderId" is negative: they cast no shadow.
 SHADOWCONESDATA_EXPORT void DropReceivers(TriangleMesh& mesh);
@@ -47,11 +66,11 @@ struct SurfaceReflectance
 };
 
 /**
- * Read the mesh's optional cell array "Reflectance" for triangles that come from @p sourceCells.
+ * Read the mesh's optional cell array "Reflectance"; triangles of blocks without one get @p missing.
  * @return false, with a sentence in @p error that names the wrong size or the cell whose value is not in 0..1.
  */
-SHADOWCONESDATA_EXPORT bool ReadReflectance(vtkPolyData* mesh, const std::vector<vtkIdType>& sourceCells,
-  std::size_t wavelengths, SurfaceReflectance& reflectance, std::string& error);
+SHADOWCONESDATA_EXPORT bool ReadReflectance(const TriangleMesh& mesh, std::size_t wavelengths, double missing,
+  SurfaceReflectance& reflectance, std::string& error);
 
 } // namespace shadowcones
 

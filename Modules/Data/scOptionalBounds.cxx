@@ -17,15 +17,13 @@ bool AreUnsetBounds(const double bounds[6])
   return std::equal(bounds, bounds + 6, unset);
 }
 
-bool BoundsAround(const Box& bounds, vtkPolyData* lightData, const Light& light, Box& around)
+bool BoundsAround(const Box& bounds, const Box& lights, Box& around)
 {
   Box joint = bounds;
-  if (!IsAtInfinity(light) && lightData->GetNumberOfPoints() > 0)
+  if (!lights.Empty())
   {
-    double b[6];
-    lightData->GetBounds(b);
-    joint.Add(Vector3{ b[0], b[2], b[4] });
-    joint.Add(Vector3{ b[1], b[3], b[5] });
+    joint.Add(lights.Min);
+    joint.Add(lights.Max);
   }
   const double diagonal = joint.Diagonal();
   if (!(diagonal > 0.0))

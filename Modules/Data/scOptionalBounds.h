@@ -7,12 +7,9 @@
 #define scOptionalBounds_h
 
 #include "ShadowConesDataModule.h"
-#include "scLight.h"
 #include "scVector3.h"
 
 #include <string>
-
-class vtkPolyData;
 
 namespace shadowcones
 {
@@ -20,11 +17,11 @@ namespace shadowcones
 /// True where six bounds are as filters have them before they are set: 1, -1, 1, -1, 1, -1.
 SHADOWCONESDATA_EXPORT bool AreUnsetBounds(const double bounds[6]);
 /**
- * The box that a medium or a visibility volume fills unless it is told: @p bounds (of the mesh) and the points of the
- * light (not of a Sun), each side enlarged by 10 % about the centre; a flat side becomes 10 % of the diagonal.
+ * The box that a medium or a visibility volume fills unless it is told: @p bounds (of the mesh) and those of the @p
+ * lights (empty for a Sun), each side enlarged by 10 % about the centre; a flat side becomes 10 % of the diagonal.
  * @return false where there is nothing to take it from.
  */
-SHADOWCONESDATA_EXPORT bool BoundsAround(const Box& bounds, vtkPolyData* lightData, const Light& light, Box& around);
+SHADOWCONESDATA_EXPORT bool BoundsAround(const Box& bounds, const Box& lights, Box& around);
 
 /// Six bounds as a box. @return false, with a sentence in @p error, where they do not ascend or are not finite.
 SHADOWCONESDATA_EXPORT bool ReadBounds(const char* name, const double bounds[6], Box& box, std::string& error);

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scTuples.h"
 
+#include "scOccluderNames.h"
+#include "scSentence.h"
+
 #include "vtkPolyData.h"
+
+#include <cstdint>
+#include <limits>
 
 namespace shadowcones
 {
@@ -12,6 +18,27 @@ namespace
 constexpr double UnitTolerance = 1e-3;
 
 } // namespace
+
+bool CopyOccluderIds(vtkDataArray* array, const char* item, std::vector<int>& ids, std::string& error)
+{
+  std::vector<GivenId> given;
+  if (!ReadGivenIds(array, item, given, error))
+  {
+    return false;
+  }
+  ids.resize(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    if (given[i].Rest != 0.0 || given[i].Whole > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
+    {
+      error = Sentence("The \"", array->GetName(), "\" of ", item, " ", i, " is ", given[i].Text(),
+        ": it must be a whole number below 2^31. Number occluders from 0, as vtkLabelOccluders does.");
+      return false;
+    }
+    ids[i] = given[i].Receiver ? -1 : static_cast<int>(given[i].Whole);
+  }
+  return true;
+}
 
 void CopyPoints(vtkPolyData* input, std::vector<double>& points)
 {

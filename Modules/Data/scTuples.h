@@ -28,6 +28,8 @@ inline void CopyInts(vtkDataArray* array, std::vector<int>& values)
   }
 }
 
+/// Occluder ids: whole numbers that an int holds; @p item names one of them in messages.
+bool CopyOccluderIds(vtkDataArray* array, const char* item, std::vector<int>& ids, std::string& error);
 /// All points, in double precision.
 void CopyPoints(vtkPolyData* input, std::vector<double>& points);
 /// All points, which must be finite; @p item names one of them in messages.

@@ -13,6 +13,21 @@
 
 namespace shadowcones
 {
+namespace
+{
+bool CopyLightIds(vtkDataArray* array, const char* item, std::vector<int>& ids, std::string& error)
+{
+  CopyInts(array, ids);
+  const auto wrong = std::find_if(ids.begin(), ids.end(), [](int id) { return id < 0; });
+  if (wrong != ids.end())
+  {
+    error = "The \"LightId\" of " + std::string(item) + " " + std::to_string(wrong - ids.begin()) + " is " +
+      std::to_string(*wrong) + ": it must be 0 or more.";
+    return false;
+  }
+  return true;
+}
+} // namespace
 
 ShadowVectorView ShadowVectorArrays::View() const
 {
@@ -22,6 +37,7 @@ ShadowVectorView ShadowVectorArrays::View() const
   view.Directions = this->Directions.data();
   view.EmissionPoints = this->EmissionPoints.empty() ? nullptr : this->EmissionPoints.data();
   view.OccluderIds = this->OccluderIds.empty() ? nullptr : this->OccluderIds.data();
+  view.LightIds = this->LightIds.empty() ? nullptr : this->LightIds.data();
   return view;
 }
 
@@ -40,10 +56,11 @@ bool ReadShadowVectors(vtkPolyData* input, ShadowVectorArrays& vectors, std::str
   }
   vtkPointData* data = input->GetPointData();
   const Need emission = needEmissionPoints ? Need::Required : Need::Optional;
-  vtkDataArray *directions, *emissionPoints, *occluderIds;
+  vtkDataArray *directions, *emissionPoints, *occluderIds, *lightIds;
   if (!FindArray(data, "shadow-vector input", "Direction", 3, count, Need::Required, directions, error) ||
     !FindArray(data, "shadow-vector input", "EmissionPoint", 3, count, emission, emissionPoints, error) ||
-    !FindArray(data, "shadow-vector input", "OccluderId", 1, count, Need::Optional, occluderIds, error))
+    !FindArray(data, "shadow-vector input", "OccluderId", 1, count, Need::Optional, occluderIds, error) ||
+    !FindArray(data, "shadow-vector input", "LightId", 1, count, Need::Optional, lightIds, error))
   {
     return false;
   }
@@ -54,9 +71,13 @@ bool ReadShadowVectors(vtkPolyData* input, ShadowVectorArrays& vectors, std::str
   {
     return false;
   }
-  if (occluderIds)
+  if (occluderIds && !CopyOccluderIds(occluderIds, "shadow vector", read.OccluderIds, error))
   {
-    CopyInts(occluderIds, read.OccluderIds);
+    return false;
+  }
+  if (lightIds && !CopyLightIds(lightIds, "shadow vector", read.LightIds, error))
+  {
+    return false;
   }
   vectors = std::move(read);
   return true;
@@ -70,6 +91,7 @@ PhotonPathView PhotonPathArrays::View() const
   view.EmissionPoints = this->EmissionPoints.data();
   view.Directions = this->Directions.data();
   view.States = this->States.data();
+  view.LightIds = this->LightIds.empty() ? nullptr : this->LightIds.data();
   return view;
 }
 
@@ -87,10 +109,11 @@ bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& e
     return true;
   }
   vtkPointData* data = input->GetPointData();
-  vtkDataArray *states, *emissionPoints, *directions;
+  vtkDataArray *states, *emissionPoints, *directions, *lightIds;
   if (!FindArray(data, "photon-path input", "PathState", 1, count, Need::Required, states, error) ||
     !FindArray(data, "photon-path input", "EmissionPoint", 3, count, Need::Required, emissionPoints, error) ||
-    !FindArray(data, "photon-path input", "Direction", 3, count, Need::Required, directions, error))
+    !FindArray(data, "photon-path input", "Direction", 3, count, Need::Required, directions, error) ||
+    !FindArray(data, "photon-path input", "LightId", 1, count, Need::Optional, lightIds, error))
   {
     return false;
   }
@@ -102,6 +125,10 @@ bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& e
     return false;
   }
   CopyInts(states, read.States);
+  if (lightIds && !CopyLightIds(lightIds, "photon path", read.LightIds, error))
+  {
+    return false;
+  }
   const auto wrong =
     std::find_if(read.States.begin(), read.States.end(), [](int state) { return state != 0 && state != 1; });
   if (wrong != read.States.end())
@@ -125,6 +152,7 @@ void WriteShadowVectors(const ShadowVectors& vectors, vtkPolyData* output)
   AddFloatArray(data, "PathLength", 1, vectors.PathLengths);
   AddFloatArray(data, "Thickness", 1, vectors.Thicknesses);
   AddIdArray(data, "PhotonIndex", vectors.PhotonIndices);
+  AddIntArray(data, "LightId", 1, vectors.LightIds);
 }
 
 void WritePhotonPaths(const PhotonPaths& paths, vtkPolyData* output)
@@ -137,6 +165,7 @@ void WritePhotonPaths(const PhotonPaths& paths, vtkPolyData* output)
   AddFloatArray(data, "Direction", 3, paths.Directions);
   AddFloatArray(data, "Power", 1, paths.Powers);
   AddIdArray(data, "PhotonIndex", paths.PhotonIndices);
+  AddIntArray(data, "LightId", 1, paths.LightIds);
 }
 
 void WriteShadowPhotons(const ShadowPhotons& photons, vtkPolyData* output)
@@ -149,6 +178,7 @@ void WriteShadowPhotons(const ShadowPhotons& photons, vtkPolyData* output)
   AddIntArray(data, "OccluderId", 1, photons.OccluderIds);
   AddIntArray(data, "ReceiverId", 1, photons.ReceiverIds);
   AddIdArray(data, "PhotonIndex", photons.PhotonIndices);
+  AddIntArray(data, "LightId", 1, photons.LightIds);
 }
 
 } // namespace shadowcones

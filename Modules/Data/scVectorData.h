@@ -25,13 +25,14 @@ struct SHADOWCONESDATA_EXPORT ShadowVectorArrays
   std::vector<float> Directions;      ///< 3
   std::vector<double> EmissionPoints; ///< 3; empty where the input has none
   std::vector<int> OccluderIds;       ///< empty where the input has none
+  std::vector<int> LightIds;          ///< empty where the input has none: all 0
 
   ShadowVectorView View() const;
 };
 
 /**
- * Read shadow vectors: "Direction" is required, "OccluderId" is optional, "EmissionPoint" is optional unless
- * @p needEmissionPoints. @return false, with a sentence in @p error that names the array or the vector at fault.
+ * Read shadow vectors: "Direction" is required, "OccluderId" and "LightId" are optional, "EmissionPoint" is optional
+ * unless @p needEmissionPoints. @return false, with a sentence in @p error that names the array or the vector at fault.
  */
 SHADOWCONESDATA_EXPORT bool ReadShadowVectors(
   vtkPolyData* input, ShadowVectorArrays& vectors, std::string& error, bool needEmissionPoints = false);
@@ -43,13 +44,14 @@ struct SHADOWCONESDATA_EXPORT PhotonPathArrays
   std::vector<double> EmissionPoints; ///< 3
   std::vector<float> Directions;      ///< 3
   std::vector<int> States;            ///< 0 lit, 1 blocked
+  std::vector<int> LightIds;          ///< empty where the input has none: all 0
 
   PhotonPathView View() const;
 };
 
 /**
- * Read photon paths: "PathState" (0 or 1), "EmissionPoint" and "Direction", one tuple a point. @return false, with a
- * sentence in @p error that names the array or the path at fault.
+ * Read photon paths: "PathState" (0 or 1), "EmissionPoint", "Direction" and, optional, "LightId", one tuple a point.
+ * @return false, with a sentence in @p error that names the array or the path at fault.
  */
 SHADOWCONESDATA_EXPORT bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& error);
 

@@ -2,11 +2,14 @@
 #include "scVisibilityData.h"
 
 #include "scFieldArrays.h"
+#include "scFingerprint.h"
+#include "scSentence.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -14,23 +17,29 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace shadowcones
 {
 namespace
 {
-/// A point array with one component and a value a point; nullptr, with a sentence, where it is not as it should be.
-vtkDataArray* FindValues(vtkImageData* input, const char* name, std::string& error)
+/// A point array with so many components and a tuple a point; nullptr, with a sentence, where it is not as it should
+/// be.
+vtkDataArray* FindValues(vtkImageData* input, const char* name, int components, std::string& error)
 {
   vtkDataArray* array = input->GetPointData()->GetArray(name);
-  if (array && (array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != input->GetNumberOfPoints()))
+  if (array &&
+    (array->GetNumberOfComponents() != components || array->GetNumberOfTuples() != input->GetNumberOfPoints()))
   {
     std::ostringstream text;
     text << "Point array \"" << name << "\" of the visibility volume has " << array->GetNumberOfTuples()
          << " values of " << array->GetNumberOfComponents() << " components for " << input->GetNumberOfPoints()
-         << " points: it must have one component and one value a point.";
+         << " points: it must have " << components << " components and a tuple a point.";
     error = text.str();
     return nullptr;
   }
@@ -76,16 +85,17 @@ bool ReadPlacement(vtkImageData* input, VisibilityGrid& grid, std::string& error
   return true;
 }
 
-bool ReadValues(vtkImageData* input, VisibilityGrid& grid, std::string& error)
+/// Of the light of this index.
+bool ReadValues(vtkImageData* input, int light, int lights, VisibilityGrid& grid, std::string& error)
 {
-  vtkDataArray* visibility = FindValues(input, "Visibility", error);
+  vtkDataArray* visibility = FindValues(input, "Visibility", lights, error);
   if (!visibility)
   {
     error = error.empty() ? "The visibility volume has no point array \"Visibility\"." : error;
     return false;
   }
-  vtkDataArray* classes = FindValues(input, "ShadowClass", error);
-  vtkDataArray* marked = error.empty() ? FindValues(input, "Marked", error) : nullptr;
+  vtkDataArray* classes = FindValues(input, "ShadowClass", lights, error);
+  vtkDataArray* marked = error.empty() ? FindValues(input, "Marked", 1, error) : nullptr;
   if (!error.empty())
   {
     return false;
@@ -96,7 +106,7 @@ bool ReadValues(vtkImageData* input, VisibilityGrid& grid, std::string& error)
   grid.Marked.resize(grid.Visibility.size());
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const double value = visibility->GetComponent(i, 0);
+    const double value = visibility->GetComponent(i, light);
     if (!(value >= 0.0 && value <= 1.0))
     {
       std::ostringstream text;
@@ -109,40 +119,96 @@ bool ReadValues(vtkImageData* input, VisibilityGrid& grid, std::string& error)
     const auto id = static_cast<std::size_t>(i);
     grid.Visibility[id] = static_cast<float>(value);
     grid.ShadowClasses[id] =
-      static_cast<unsigned char>(classes ? classes->GetComponent(i, 0) : static_cast<double>(byValue));
+      static_cast<unsigned char>(classes ? classes->GetComponent(i, light) : static_cast<double>(byValue));
     grid.Marked[id] = value < 1.0 || (marked && marked->GetComponent(i, 0) != 0.0) ? 1 : 0;
   }
   return true;
 }
 
-/// Are the bricks of this very grid, and not of one that it was cut or resampled from?
-bool HasBricks(vtkFieldData* field, const VisibilityGrid& grid)
+/// Of the values at the points of the lights' grids, which the bricks refine.
+vtkIdType HashOf(const std::vector<VisibilityGrid>& grids)
 {
+  Fingerprint fingerprint;
+  for (std::size_t i = 0; i < grids.front().Visibility.size(); ++i)
+  {
+    for (const VisibilityGrid& grid : grids)
+    {
+      fingerprint.AddNumber(static_cast<double>(grid.Visibility[i]));
+    }
+  }
+  return static_cast<vtkIdType>(fingerprint.Value());
+}
+
+/// Is this the array that was written with the grid? Files round numbers.
+bool Holds(vtkFieldData* field, const char* name, const std::vector<double>& values, double tolerance)
+{
+  vtkDataArray* array = field->GetArray(name);
+  bool same = array && array->GetNumberOfValues() == static_cast<vtkIdType>(values.size());
+  for (std::size_t i = 0; same && i < values.size(); ++i)
+  {
+    same = std::abs(array->GetVariantValue(static_cast<vtkIdType>(i)).ToDouble() - values[i]) <= tolerance;
+  }
+  return same;
+}
+
+std::vector<double> DimensionsOf(const VisibilityGrid& grid)
+{
+  return { grid.Dimensions.begin(), grid.Dimensions.end() };
+}
+
+std::vector<double> PlacementOf(const VisibilityGrid& grid)
+{
+  return { grid.Origin.X, grid.Origin.Y, grid.Origin.Z, grid.Spacing.X, grid.Spacing.Y, grid.Spacing.Z };
+}
+
+/// Are there bricks, and of these very grids: not of some that they were cut, resampled or computed from?
+bool HasBricks(vtkFieldData* field, const std::vector<VisibilityGrid>& grids, std::string& warning)
+{
+  const VisibilityGrid& grid = grids.front();
   vtkDataArray* parts = field->GetArray("BrickParts");
-  vtkDataArray* dimensions = field->GetArray("BrickDimensions");
-  if (!parts || parts->GetNumberOfValues() != 1 || parts->GetComponent(0, 0) == 0.0 || !dimensions ||
-    dimensions->GetNumberOfValues() != 3)
+  vtkDataArray* cells = field->GetArray("BrickCells");
+  if (!parts || parts->GetNumberOfValues() != 1 || parts->GetComponent(0, 0) == 0.0 || !cells)
   {
     return false;
   }
-  for (int axis = 0; axis < 3; ++axis)
+  const double detail = 1e-6 * std::min({ grid.Spacing.X, grid.Spacing.Y, grid.Spacing.Z });
+  const double size = std::max({ std::abs(grid.Origin.X), std::abs(grid.Origin.Y), std::abs(grid.Origin.Z) });
+  const char* changed = nullptr;
+  auto* hash = vtkIdTypeArray::SafeDownCast(field->GetAbstractArray("BrickHash"));
+  if (!Holds(field, "BrickDimensions", DimensionsOf(grid), 0.0))
   {
-    if (dimensions->GetVariantValue(axis).ToInt() != grid.Dimensions[axis])
-    {
-      return false;
-    }
+    changed = "dimensions";
   }
-  return true;
+  else if (!Holds(field, "BrickPlacement", PlacementOf(grid), detail + 1e-9 * size))
+  {
+    changed = "origin or spacing";
+  }
+  else if (!hash || hash->GetNumberOfValues() != 1 ||
+    hash->GetValue(0) != HashOf(grids))
+  {
+    changed = "\"Visibility\"";
+  }
+  if (changed)
+  {
+    warning = Sentence("The ", cells->GetNumberOfTuples(), " bricks of the visibility volume are left out: they were "
+      "filled for another ", changed, " than it has now. Shadows have the detail of its grid; for more, run "
+      "vtkVisibilityVolume on the grid that you need.");
+  }
+  return !changed;
 }
 
-bool ReadBricks(vtkFieldData* field, VisibilityGrid& grid, std::string& error)
+/// Of the light of this index.
+bool ReadBricks(vtkFieldData* field, int light, VisibilityGrid& grid, std::string& error)
 {
   vtkDataArray* cells = field->GetArray("BrickCells");
   vtkDataArray* values = field->GetArray("BrickVisibility");
+  vtkDataArray* lightIds = field->GetArray("BrickLightId");
   const double parts = field->GetArray("BrickParts")->GetComponent(0, 0);
   const double side = parts + 1.0;
   if (!cells || !values || !(parts >= 1.0 && parts <= 1024.0) || cells->GetNumberOfComponents() != 1 ||
-    values->GetNumberOfComponents() != side * side * side || values->GetNumberOfTuples() != cells->GetNumberOfTuples())
+    values->GetNumberOfComponents() != side * side * side ||
+    values->GetNumberOfTuples() != cells->GetNumberOfTuples() ||
+    (lightIds && lightIds->GetNumberOfValues() != cells->GetNumberOfTuples()))
   {
     error =
       "The field data of the visibility volume do not fit together: \"BrickVisibility\" must have a tuple for each of "
@@ -151,10 +217,16 @@ bool ReadBricks(vtkFieldData* field, VisibilityGrid& grid, std::string& error)
   }
   grid.BrickParts = static_cast<int>(parts);
   const vtkIdType numberOfCells = grid.CellIndex(0, 0, grid.Dimensions[2] - 1);
+  const auto isOther = [lightIds, light](vtkIdType brick)
+  { return static_cast<int>(lightIds ? lightIds->GetComponent(brick, 0) : 0.0) != light; };
   for (vtkIdType brick = 0; brick < cells->GetNumberOfTuples(); ++brick)
   {
+    if (isOther(brick))
+    {
+      continue;
+    }
     const auto cell = static_cast<vtkIdType>(cells->GetComponent(brick, 0));
-    if (cell < 0 || cell >= numberOfCells || (brick > 0 && cell <= grid.BrickCells.back()))
+    if (cell < 0 || cell >= numberOfCells || (!grid.BrickCells.empty() && cell <= grid.BrickCells.back()))
     {
       error = "\"BrickCells\" of the visibility volume must be cells of the volume in ascending order: that of brick " +
         std::to_string(brick) + " is " + std::to_string(cell) + ".";
@@ -162,9 +234,13 @@ bool ReadBricks(vtkFieldData* field, VisibilityGrid& grid, std::string& error)
     }
     grid.BrickCells.push_back(cell);
   }
-  grid.BrickVisibility.resize(static_cast<std::size_t>(values->GetNumberOfValues()));
+  grid.BrickVisibility.reserve(static_cast<std::size_t>(values->GetNumberOfComponents()) * grid.BrickCells.size());
   for (vtkIdType brick = 0; brick < values->GetNumberOfTuples(); ++brick)
   {
+    if (isOther(brick))
+    {
+      continue;
+    }
     const int components = values->GetNumberOfComponents();
     for (int c = 0; c < components; ++c)
     {
@@ -177,26 +253,91 @@ bool ReadBricks(vtkFieldData* field, VisibilityGrid& grid, std::string& error)
         error = text.str();
         return false;
       }
-      grid.BrickVisibility[static_cast<std::size_t>(brick * components + c)] = static_cast<float>(value);
+      grid.BrickVisibility.push_back(static_cast<float>(value));
     }
   }
   return true;
 }
-} // anonymous namespace
-
-bool ReadVisibilityGrid(vtkImageData* input, VisibilityGrid& grid, std::string& error)
+/// The bricks of all lights, one light after the other.
+void WriteBricks(const std::vector<VisibilityGrid>& grids, vtkFieldData* field)
 {
-  grid = {};
-  error.clear();
-  return ReadPlacement(input, grid, error) && ReadValues(input, grid, error) &&
-    (!HasBricks(input->GetFieldData(), grid) || ReadBricks(input->GetFieldData(), grid, error));
+  int parts = 0;
+  std::vector<vtkIdType> cells;
+  std::vector<float> values;
+  std::vector<int> lightIds;
+  for (std::size_t light = 0; light < grids.size(); ++light)
+  {
+    const VisibilityGrid& grid = grids[light];
+    parts = std::max(parts, grid.BrickParts);
+    cells.insert(cells.end(), grid.BrickCells.begin(), grid.BrickCells.end());
+    values.insert(values.end(), grid.BrickVisibility.begin(), grid.BrickVisibility.end());
+    lightIds.insert(lightIds.end(), grid.BrickCells.size(), static_cast<int>(light));
+  }
+  const std::array<int, 3>& n = grids.front().Dimensions;
+  AddIntArray(field, "BrickParts", 1, { parts });
+  AddIntArray(field, "BrickDimensions", 3, { n[0], n[1], n[2] });
+  if (!cells.empty())
+  {
+    const int side = parts + 1;
+    AddDoubleArray(field, "BrickPlacement", 6, PlacementOf(grids.front()));
+    AddIdArray(field, "BrickHash", { HashOf(grids) });
+    AddIdArray(field, "BrickCells", cells);
+    AddFloatArray(field, "BrickVisibility", side * side * side, values);
+    if (grids.size() > 1)
+    {
+      AddIntArray(field, "BrickLightId", 1, lightIds);
+    }
+  }
 }
 
-void WriteVisibilityGrid(const VisibilityGrid& grid, const int extent[6], vtkImageData* output)
+/// Values of some items, @p components each, among those of all.
+template <typename T>
+std::vector<T> Spread(
+  const std::vector<T>& values, int components, const std::vector<vtkIdType>& items, vtkIdType count, T other)
 {
+  const auto n = static_cast<std::size_t>(components);
+  std::vector<T> all(n * static_cast<std::size_t>(count), other);
+  for (std::size_t k = 0; k < items.size(); ++k)
+  {
+    std::copy_n(values.data() + n * k, n, all.data() + n * static_cast<std::size_t>(items[k]));
+  }
+  return all;
+}
+} // anonymous namespace
+
+bool ReadVisibilityGrids(
+  vtkImageData* input, std::vector<VisibilityGrid>& grids, std::string& error, std::string& warning)
+{
+  error.clear();
+  warning.clear();
+  vtkDataArray* visibility = input->GetPointData()->GetArray("Visibility");
+  const int lights = visibility ? std::max(visibility->GetNumberOfComponents(), 1) : 1;
+  grids.assign(static_cast<std::size_t>(lights), {});
+  for (int light = 0; light < lights; ++light)
+  {
+    VisibilityGrid& grid = grids[static_cast<std::size_t>(light)];
+    if (!ReadPlacement(input, grid, error) || !ReadValues(input, light, lights, grid, error))
+    {
+      return false;
+    }
+  }
+  const bool hasBricks = HasBricks(input->GetFieldData(), grids, warning);
+  for (int light = 0; hasBricks && light < lights; ++light)
+  {
+    if (!ReadBricks(input->GetFieldData(), light, grids[static_cast<std::size_t>(light)], error))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void WriteVisibilityGrids(const std::vector<VisibilityGrid>& grids, const int extent[6], vtkImageData* output)
+{
+  const VisibilityGrid& first = grids.front();
   output->SetExtent(const_cast<int*>(extent));
-  output->SetOrigin(grid.Origin.X, grid.Origin.Y, grid.Origin.Z);
-  output->SetSpacing(grid.Spacing.X, grid.Spacing.Y, grid.Spacing.Z);
+  output->SetOrigin(first.Origin.X, first.Origin.Y, first.Origin.Z);
+  output->SetSpacing(first.Spacing.X, first.Spacing.Y, first.Spacing.Z);
   vtkNew<vtkFloatArray> visibility;
   vtkNew<vtkUnsignedCharArray> classes;
   vtkNew<vtkUnsignedCharArray> marked;
@@ -204,42 +345,58 @@ void WriteVisibilityGrid(const VisibilityGrid& grid, const int extent[6], vtkIma
   classes->SetName("ShadowClass");
   marked->SetName("Marked");
   const vtkIdType count = output->GetNumberOfPoints();
+  visibility->SetNumberOfComponents(static_cast<int>(grids.size()));
+  classes->SetNumberOfComponents(static_cast<int>(grids.size()));
   visibility->SetNumberOfTuples(count);
   classes->SetNumberOfTuples(count);
   marked->SetNumberOfTuples(count);
-  const auto row = static_cast<std::size_t>(extent[1] - extent[0] + 1);
-  std::size_t to = 0;
+  vtkIdType to = 0;
   for (int k = extent[4]; k <= extent[5]; ++k)
   {
-    for (int j = extent[2]; j <= extent[3]; ++j, to += row)
+    for (int j = extent[2]; j <= extent[3]; ++j)
     {
-      const std::size_t from = grid.VertexIndex(extent[0], j, k);
-      std::copy_n(grid.Visibility.data() + from, row, visibility->GetPointer(0) + to);
-      std::copy_n(grid.ShadowClasses.data() + from, row, classes->GetPointer(0) + to);
-      std::copy_n(grid.Marked.data() + from, row, marked->GetPointer(0) + to);
+      for (int i = extent[0]; i <= extent[1]; ++i, ++to)
+      {
+        const std::size_t from = first.VertexIndex(i, j, k);
+        unsigned char mark = 0;
+        for (std::size_t light = 0; light < grids.size(); ++light)
+        {
+          const vtkIdType place = to * static_cast<vtkIdType>(grids.size()) + static_cast<vtkIdType>(light);
+          visibility->SetValue(place, grids[light].Visibility[from]);
+          classes->SetValue(place, grids[light].ShadowClasses[from]);
+          mark |= grids[light].Marked[from];
+        }
+        marked->SetValue(to, mark);
+      }
     }
   }
   output->GetPointData()->SetScalars(visibility);
   output->GetPointData()->AddArray(classes);
   output->GetPointData()->AddArray(marked);
-
-  vtkFieldData* field = output->GetFieldData();
-  AddIntArray(field, "BrickParts", 1, { grid.BrickParts });
-  AddIntArray(field, "BrickDimensions", 3, { grid.Dimensions[0], grid.Dimensions[1], grid.Dimensions[2] });
-  if (!grid.BrickCells.empty())
-  {
-    const int side = grid.BrickParts + 1;
-    AddIdArray(field, "BrickCells", grid.BrickCells);
-    AddFloatArray(field, "BrickVisibility", side * side * side, grid.BrickVisibility);
-  }
+  WriteBricks(grids, output->GetFieldData());
 }
 
-void WriteVisibility(const VisibilityResult& result, vtkDataSetAttributes* data)
+bool ReadVisibilityGrid(vtkImageData* input, VisibilityGrid& grid, std::string& error, std::string& warning)
 {
-  AddFloatArray(data, "Visibility", 1, result.Visibility);
-  AddByteArray(data, "ShadowClass", result.ShadowClasses);
-  AddIntArray(data, "OccluderId", 1, result.OccluderIds);
-  AddFloatArray(data, "VisibilityError", 1, result.Errors);
+  std::vector<VisibilityGrid> grids;
+  const bool read = ReadVisibilityGrids(input, grids, error, warning);
+  grid = std::move(grids.front());
+  return read;
+}
+
+void WriteVisibilityGrid(const VisibilityGrid& grid, const int extent[6], vtkImageData* output)
+{
+  WriteVisibilityGrids({ grid }, extent, output);
+}
+
+void WriteVisibility(const VisibilityResult& result, int lights, const std::vector<vtkIdType>& items, vtkIdType count,
+  vtkDataSetAttributes* data)
+{
+  constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+  AddFloatArray(data, "Visibility", lights, Spread(result.Visibility, lights, items, count, unknown));
+  AddByteArray(data, "ShadowClass", Spread(result.ShadowClasses, lights, items, count, HiddenShadowClass), lights);
+  AddIntArray(data, "OccluderId", lights, Spread(result.OccluderIds, lights, items, count, -1));
+  AddFloatArray(data, "VisibilityError", lights, Spread(result.Errors, lights, items, count, unknown));
 }
 
 } // namespace shadowcones

@@ -43,7 +43,7 @@ DensityGrid Read(vtkImageData* image)
 {
   DensityGrid grid;
   std::string error;
-  EXPECT_TRUE(ReadDensity(image, grid, error)) << error;
+  EXPECT_TRUE(ReadDensity(image, nullptr, grid, error)) << error;
   return grid;
 }
 
@@ -51,7 +51,7 @@ std::string ErrorOf(vtkImageData* image)
 {
   DensityGrid grid;
   std::string error;
-  EXPECT_FALSE(ReadDensity(image, grid, error));
+  EXPECT_FALSE(ReadDensity(image, nullptr, grid, error));
   return error;
 }
 
