@@ -10,8 +10,8 @@
  * pieces of a piece request are ranges of samples (output 0), of cones (output 4), and piece 0 holds the tables.
  *
  * Input port 0, optional: vtkDataSet whose points are the samples. A point array "ShadowClass" (0 lit, 1 penumbra, 2
- * umbra, from any other classifier) is held against the same truth. Input port 1: vtkPolyData, a cone set. Input port
- * 2: vtkPolyData, the mesh; cell data "OccluderId" (int) is optional, cells whose id is negative are receivers, which
+ * umbra, from any other classifier) is held against the same truth; points that are hidden are no samples. Input port 1: vtkPolyData, a cone set. Input port
+ * 2: the mesh, vtkPolyData or composite data of them, which are joined; cell data "OccluderId" is optional, cells whose id is negative are receivers, which
  * block nothing here. Input port 3: the light, from vtkAreaLightSource or any polygon mesh.
  *
  * Output port 0, samples, one vertex each, with the point data of input port 0. Point data: "Truth" (float 0..1,
@@ -32,6 +32,10 @@
  *   - VolumeError = (TP + FP) / (TP + FN) - 1: the volume of the union of the cones over that of the shadow, - 1;
  *   - UmbraPrecision, UmbraRecall: samples in umbra (Truth = 0) and predicted to be, over those predicted, over those
  *     in umbra;
+ *   - Certified: 1 where the independent check finds each part of the mesh, before each part of the light, in one cone with all
+ *     its shadow, whatever the field data say; else 0. Then Leak is 0 as a fact, and not as far as the samples tell;
+ *   - with CompareBounds: ClusterCones, ClusterPrecision, ClusterRecall: number, precision and recall of cones around parts of the
+ *     mesh, made without photons; SweptBoxPrecision, SweptBoxRecall: those of each occluder's bounding box swept along the light;
  *   - ShadowClassRecall, ...Precision, ...IoU, ...UmbraPrecision, ...UmbraRecall: the same for "ShadowClass" of input
  *     port 0, where given.
  *
@@ -81,8 +85,13 @@ public:
 
   ///@{
   /// The light, input port 3. Required.
+  /// Several lights: one a connection, or a block of a composite, all with the same wavelengths. Set replaces all of
+  /// them.
   void SetLightConnection(vtkAlgorithmOutput* light);
-  void SetLightData(vtkDataObject* light); ///< The light as a data object, without a pipeline.
+  void SetLightData(vtkDataObject* light);            ///< The light as a data object, without a pipeline.
+  void AddLightConnection(vtkAlgorithmOutput* light); ///< One more light.
+  void AddLightData(vtkDataObject* light);            ///< One more light as a data object, without a pipeline.
+  void RemoveAllLights();                             ///< No light is connected from here on.
   ///@}
 
   ///@{
@@ -117,6 +126,15 @@ public:
   vtkGetMacro(Seed, int); ///< Number that chooses the samples and the points of the light.
   ///@}
 
+  ///@{
+  /// Measure two other bounds of the shadow beside the cones: cones around parts of the mesh without photons, and each occluder's
+  /// bounding box swept along the light. Default off.
+  vtkSetMacro(CompareBounds, bool);
+  vtkGetMacro(CompareBounds, bool); ///< Whether two other bounds are measured too.
+  /// Measure two other bounds too.
+  vtkBooleanMacro(CompareBounds, bool); ///< Measure the cone set alone.
+  ///@}
+
 protected:
   vtkConeSetAccuracy();
   ~vtkConeSetAccuracy() override = default;
@@ -137,6 +155,7 @@ private:
   int NumberOfLightSamples = 64;
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   int NumberOfDepthBins = 16;
+  bool CompareBounds = false;
   int Seed = 1;
 };
 

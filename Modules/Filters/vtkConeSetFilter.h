@@ -11,9 +11,19 @@
  * vectors (output 1). Cost is one nearest-neighbour query a seed, near-linear in the number of vectors.
  *
  * Input port 0: vtkPolyData, shadow vectors of vtkShadowVectorFilter or of another tracer. Point data: "Direction" (3, unit)
- * is required; "EmissionPoint" (3) is required where the field data does not carry the light's exact shape; "OccluderId" (int)
- * is optional. Input port 1, optional: photon paths with point data "PathState" (0 lit, 1 blocked), "EmissionPoint",
- * "Direction"; Overspill is measured on them.
+ * is required; "EmissionPoint" (3) is required where the field data does not carry the light's exact shape; "OccluderId" and
+ * "LightId" (int) are optional. Input port 1, optional: photon paths with point data "PathState" (0 lit, 1 blocked),
+ * "EmissionPoint", "Direction" and, of several lights, "LightId"; Overspill is measured on them.
+ * Input port 2, optional: vtkPolyData, the mesh that casts the shadow; cell data
+ * "OccluderId" (int) is optional, cells whose id is negative are receivers. Input port 3, optional, repeatable: the lights, from
+ * vtkAreaLightSource or any polygon mesh; without it the exact shape that the vectors carry is taken.
+ *
+ * With a mesh, and Certify on, the set is proved: each part of an occluder, before each convex part of the light, lies in one
+ * cone with all its shadow. Where fitted cones fall short they grow or cones are added. Outside every cone all of the light
+ * that shines that way is seen, as a fact and not as a sample's word; see Documentation/8-proved-cones.md.
+ *
+ * Vectors of several lights are fitted a light at a time, those of "LightId" 0 first: no cone joins vectors of two, and
+ * each light has the cones that it would have alone. They share one set of parameters, tuned or not.
  *
  * Output port 0, the cone set: one vertex per cone at the centre of its base. A cone holds the points whose height h above the
  * base along Axis is 0 or more and whose distance from the axis is at most BaseRadius + h tan(HalfAngle). Point data: "Axis"
@@ -21,10 +31,14 @@
  * "InnerHalfAngle" (float, radians; the umbra of the base disc; negative: it contracts), "Normal" (float 3, unit, of the fitted
  * plane on the side of Axis), "OccluderId" (int, of most of its vectors), "VectorCount" (int, that it was made from), "Planarity" (float, rms distance
  * of its vectors from the plane over BaseRadius), "Overspill" (float 0..1, share of lit photon paths among those through the
- * base disc; -1 without photon paths). Field data: every parameter by its name, "Seed" (of the vectors), "NumberOfVectors",
- * "NumberOfCones", "NumberOfDiscarded" (id), "DiscardedFraction" (double), and the light's exact shape where the vectors
- * carry it. Tuned sets hold the parameters that were chosen, and "TuningObjective", "TuningLeak", "TuningLost" (double, on the
- * held-out photons; less is better) and "TuningFits" (int).
+ * base disc; -1 without photon paths), "LightId" (int), "ConeOrigin" (int: 0 fitted, 1 grown, 2 added). Field data: every parameter by its name, "Seed" (of the vectors), "NumberOfVectors",
+ * "NumberOfCones", "NumberOfDiscarded" (id), "DiscardedFraction" (double), and the lights' exact shapes and
+ * "LightFingerprint" where the vectors carry them. Tuned sets hold the parameters that were chosen, and "TuningObjective", "TuningLeak", "TuningLost" (double, on the
+ * held-out photons; less is better) and "TuningFits" (int). "TuningChoice" (string) says what was chosen and why. Of the proof:
+ * "Certified" (int, 1 where the set is proved), "CertifiedBounds" (double 6: the box in which it holds, infinite: everywhere),
+ * "NumberOfProvedParts", "NumberOfGrownCones", "NumberOfAddedCones", "NumberOfOccludersWithoutCone" (id; occluders that touch a
+ * light, or see a Sun of nearly 180 degrees: one cone then holds all of CertifiedBounds), "CertificateHash" (unsigned 64 bits, of
+ * cones, casters and lights: where another is found the set is not proved).
  *
  * Output port 1: the shadow vectors with all their arrays and point data "ConeId" (id, first cone that holds the vector in its
  * base; -1 where discarded).
@@ -39,6 +53,8 @@
 #include "ShadowConesFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string>
+
 class SHADOWCONESFILTERS_EXPORT vtkConeSetFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -52,50 +68,70 @@ public:
   void SetPhotonPathData(vtkDataObject* paths); ///< The photon paths as a data object, without a pipeline.
   ///@}
 
+  ///@{
+  /// The mesh whose shadow is to be proved, input port 2. Optional.
+  void SetMeshConnection(vtkAlgorithmOutput* mesh); ///< Connect the mesh that casts the shadow.
+  void SetMeshData(vtkDataObject* mesh);            ///< Give the mesh that casts the shadow.
+  ///@}
+
+  ///@{
+  /// The lights to prove the shadow for, input port 3, one a connection. Optional where the vectors carry the exact shape.
+  void SetLightConnection(vtkAlgorithmOutput* light); ///< Connect one light in place of all.
+  void SetLightData(vtkDataObject* light);            ///< Give one light in place of all.
+  void AddLightConnection(vtkAlgorithmOutput* light); ///< Connect one more light.
+  void AddLightData(vtkDataObject* light);            ///< Give one more light.
+  void RemoveAllLights();                             ///< Disconnect all lights.
+  ///@}
+
   enum TuningType
   {
     MANUAL = 0,
     CONSERVATIVE = 1,
     PREVIEW = 2,
-    SOFT = 3
+    SOFT = 3,
+    AUTOMATIC = 4
   };
   ///@{
-  /// How the parameters below are chosen. Manual: as they are set. The others need photon paths and choose everything but
-  /// NumberOfSectors and PlanarityThreshold, by fitting three quarters of the photons and measuring on the rest (section 6.1).
-  /// Conservative: bounds, the least leak with few cones. Preview: the shadow itself, bases trimmed by the photon paths and
-  /// ExpansionFraction so that lit light lost inside the cones equals blocked light leaking outside. Soft: base discs as
-  /// surfels for vtkConeSetProbe, RadiusScale so that lit paths caught equal blocked paths missed, then the best intersection
-  /// over union. Default Manual.
+  /// How the parameters below are chosen. Manual: as they are set. Automatic: Conservative where photon paths are connected, else
+  /// large overlapping cones from the light's geometry; with a mesh, cones around parts of it where those are tighter.
+  /// Conservative, Preview and Soft need photon paths and choose everything but NumberOfSectors and PlanarityThreshold, by
+  /// fitting three quarters of the photons and measuring on the rest (section 6.1). Conservative: bounds, the least leak with few
+  /// cones, no vector left over. Preview: the shadow itself, bases trimmed by the photon paths and ExpansionFraction so that lit
+  /// light lost inside the cones equals blocked light leaking outside. Soft: base discs as surfels for vtkConeSetProbe,
+  /// RadiusScale so that lit paths caught equal blocked paths missed, then the best intersection over union. Where the paths
+  /// have nothing to teach a warning says so and bounds are made as Automatic does without paths. Default Automatic.
   vtkSetMacro(Tuning, int);
-  vtkGetMacro(Tuning, int);                             ///< 0 Manual, 1 Conservative, 2 Preview, 3 Soft.
+  vtkGetMacro(Tuning, int);                             ///< 0 Manual, 1 Conservative, 2 Preview, 3 Soft, 4 Automatic.
   void SetTuningToManual() { this->SetTuning(MANUAL); } ///< Every parameter as it is set.
   /// Bounds: the least leak with few cones. Needs photon paths.
   void SetTuningToConservative() { this->SetTuning(CONSERVATIVE); }
   /// The shadow itself, as much lost as leaked. Needs photon paths.
   void SetTuningToPreview() { this->SetTuning(PREVIEW); }
   void SetTuningToSoft() { this->SetTuning(SOFT); } ///< Base discs as surfels for vtkConeSetProbe. Needs photon paths.
+  void SetTuningToAutomatic() { this->SetTuning(AUTOMATIC); } ///< Bounds from what is connected.
   ///@}
 
   ///@{
-  /// p1: nearest vectors that a cone is built from, at least 3 and at least MinimumVectorsPerCone. Default 100.
+  /// p1: nearest vectors that a cone is built from, 3..1000000 and at least MinimumVectorsPerCone. Default 100.
   vtkSetMacro(NumberOfNeighbors, int);
   vtkGetMacro(NumberOfNeighbors, int); ///< Nearest vectors that a cone is built from.
   ///@}
 
   ///@{
-  /// p2: angular bins around the seed, at least 1. Default 20.
+  /// p2: angular bins around the seed, 1..65536. Default 20.
   vtkSetMacro(NumberOfSectors, int);
   vtkGetMacro(NumberOfSectors, int); ///< Angular bins around the seed.
   ///@}
 
   ///@{
-  /// p3: vectors in each ring, at least 1. Default 16.
+  /// p3: vectors in each ring, at least 1 and below NumberOfNeighbors. Default 16.
   vtkSetMacro(PointsPerRing, int);
   vtkGetMacro(PointsPerRing, int); ///< Vectors in each ring.
   ///@}
 
   ///@{
-  /// p4: fewer vectors make no cone, at least 1. Default 20.
+  /// p4: fewer vectors make no cone, at least 1 and at most the seed and the whole rings that fit among NumberOfNeighbors.
+  /// Default 20.
   vtkSetMacro(MinimumVectorsPerCone, int);
   vtkGetMacro(MinimumVectorsPerCone, int); ///< Fewer vectors than this make no cone.
   ///@}
@@ -172,6 +208,35 @@ public:
   vtkBooleanMacro(Overlap, bool); ///< Covered vectors leave the set, as in the paper.
   ///@}
 
+  enum LeftoversType
+  {
+    DISCARD = 0,
+    COVER = 1
+  };
+  ///@{
+  /// What becomes of vectors that no base took. Discard: they have no cone (section 3.2.1). Cover: they get cones of their own,
+  /// each around a vector and its nearest ones on the same occluder. Default Cover.
+  vtkSetMacro(Leftovers, int);
+  vtkGetMacro(Leftovers, int); ///< 0 Discard, 1 Cover.
+  /// Leave vectors that no base took without a cone, as in the paper.
+  void SetLeftoversToDiscard() { this->SetLeftovers(DISCARD); }
+  /// Give every vector a cone.
+  void SetLeftoversToCover() { this->SetLeftovers(COVER); }
+  ///@}
+
+  ///@{
+  /// Where a mesh is connected, let cones grow and add some until they are proved to hold all of its shadow. Acts with Tuning
+  /// Manual, Conservative and Automatic; Preview and Soft sets stay as they are. Default on.
+  vtkSetMacro(Certify, bool);
+  vtkGetMacro(Certify, bool); ///< Whether a connected mesh makes proved sets.
+  /// Prove sets where a mesh is connected.
+  vtkBooleanMacro(Certify, bool); ///< Leave sets as they are fitted.
+  ///@}
+
+  /// Set every parameter as the paper has it (section 3.2): Tuning Manual, p1 to p4, CosineCorrection on, MaximumDeviation, no
+  /// overlap, leftovers discarded, Certify off.
+  void SetToPaper();
+
 protected:
   vtkConeSetFilter();
   ~vtkConeSetFilter() override = default;
@@ -185,7 +250,11 @@ private:
   vtkConeSetFilter(const vtkConeSetFilter&) = delete;
   void operator=(const vtkConeSetFilter&) = delete;
 
-  int Tuning = MANUAL;
+  /// Names of the fitting parameters that were set and that tuning chooses itself.
+  std::string ParametersNotUsed() const;
+  bool CheckRequest(bool hasPaths);
+
+  int Tuning = AUTOMATIC;
   int NumberOfNeighbors = 100;
   int NumberOfSectors = 20;
   int PointsPerRing = 16;
@@ -198,6 +267,8 @@ private:
   double RadiusScale = 1.0;
   double MaximumOverspill = 1.0;
   bool Overlap = false;
+  int Leftovers = COVER;
+  bool Certify = true;
 };
 
 #endif

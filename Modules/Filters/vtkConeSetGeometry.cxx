@@ -121,8 +121,9 @@ vtkConeSetGeometry::vtkConeSetGeometry()
 }
 
 int vtkConeSetGeometry::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  OfferTimes(this, inputVector, outputVector);
   HandlePieces(outputVector);
   return 1;
 }
@@ -137,18 +138,24 @@ int vtkConeSetGeometry::RequestUpdateExtent(
 int vtkConeSetGeometry::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const FilterRun run(this, request, inputVector, outputVector);
+  std::string error;
+  if (!run.AreInputsWhole(error))
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
 
   std::vector<Cone> cones;
-  std::string error;
   if (!ReadConeSet(input, cones, error) || !CheckAttributes(input->GetPointData(), input->GetNumberOfPoints(), "point", error))
   {
     vtkErrorMacro(<< error);
     return 0;
   }
-  if (this->Resolution < 3)
+  if (this->Resolution < 3 || this->Resolution > 65536)
   {
-    vtkErrorMacro("Resolution is " << this->Resolution << "; a cone needs at least 3 lines around it.");
+    vtkErrorMacro("Resolution is " << this->Resolution << "; a cone needs 3 to 65536 lines around it.");
     return 0;
   }
   if (this->Cut < CUT_LENGTH || this->Cut > CUT_BOX)

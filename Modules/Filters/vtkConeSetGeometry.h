@@ -74,7 +74,7 @@ public:
   ///@}
 
   ///@{
-  /// Lines around a cone, at least 3. Default 24.
+  /// Lines around a cone, 3..65536. Default 24.
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int); ///< Lines around a cone.
   ///@}

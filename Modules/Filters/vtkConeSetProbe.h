@@ -19,22 +19,28 @@
  * coordinates), so that pieces of a data set give what the whole does. Piece requests and extents are passed to input
  * 0.
  *
- * Input port 0: any vtkDataSet. Input port 1: a cone set; point data "Axis" (3), "BaseRadius" and "HalfAngle" are
- * required, "Normal", "OccluderId" and "Planarity" are optional. Input port 2: the light, of vtkAreaLightSource or any
- * mesh of polygons. Input port 3, required for Exact: the mesh, vtkPolyData with cell data "OccluderId" (int; without
- * it every id is 0).
+ * Input port 0: any vtkDataSet. Input port 1: a cone set, optional for Exact, which without one sends rays from every point;
+ * point data "Axis" (3), "BaseRadius" and "HalfAngle" are required, "Normal", "OccluderId", "Planarity" and "LightId" are
+ * optional. Input port 2: the lights, each of vtkAreaLightSource or any mesh of polygons, one a connection or a block of a
+ * composite. Input port 3, required for Exact: the mesh,
+ * vtkPolyData with cell data "OccluderId" (any numeric type; without it every id is 0), or composite data of meshes, which
+ * are joined. Composite data on port 0 are answered block by block.
  *
  * Output: the input's type, structure and arrays, and in its point data (or cell data, as Association says)
  * "Visibility" (float 0..1, visible share of the part of the light that emits towards the point), "ShadowClass"
  * (unsigned char: 0 lit, every sample is visible; 1 penumbra; 2 umbra, none is), "OccluderId" (int, the occluder that
  * hides most of the light, the smallest id of several; -1 where none hides any), "VisibilityError" (float, standard
- * error of Visibility). Arrays of these names are replaced. On the dark side of the light, and where only the surface
- * itself hides the light, Visibility is 0, ShadowClass 2, OccluderId -1.
+ * error of Visibility). Arrays of these names are replaced. Points and cells that "vtkGhostType" marks as hidden, and
+ * cells that use a hidden point, get NaN, 255, -1 and NaN; duplicates are computed. Field data "OccluderNames" (by id) and
+ * "CastersFingerprint" say of what mesh. On the dark side of the light, and where only the surface
+ * itself hides the light, Visibility is 0, ShadowClass 2, OccluderId -1. Each array has one component a light, in the
+ * order of connections and blocks, and a light is asked for inside its own cones ("LightId"). Field data
+ * "LightFingerprint" (unsigned 64-bit, one value a light).
  *
  * With k of n samples visible VisibilityError is sqrt(p (1 - p) / n), p = (k + 1/2) / (n + 1): the standard error of
  * independent samples, a bound for these stratified ones. It is 0 where nothing was sampled (outside all cones, on the
- * dark side of the light, point lights). It says nothing of shadow that lies outside the cones (Exact) or of what the
- * discs miss (Soft).
+ * dark side of the light, point lights). It says nothing of shadow that lies outside the cones (Exact; there is none where
+ * the set is proved: "Certified" of vtkConeSetFilter) or of what the discs miss (Soft).
  *
  * @sa vtkConeSetFilter vtkConeSetAccuracy vtkAreaLightSource
  */
@@ -52,15 +58,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The cone set, input port 1.
+  /// The cone set, input port 1. Optional for Exact: without it rays are sent from every point.
   void SetConeSetConnection(vtkAlgorithmOutput* cones);
   void SetConeSetData(vtkDataObject* cones); ///< The cone set as a data object, without a pipeline.
   ///@}
 
   ///@{
   /// The light, input port 2.
+  /// Several lights: one a connection, or a block of a composite, all with the same wavelengths. Set replaces all of
+  /// them.
   void SetLightConnection(vtkAlgorithmOutput* light);
-  void SetLightData(vtkDataObject* light); ///< The light as a data object, without a pipeline.
+  void SetLightData(vtkDataObject* light);            ///< The light as a data object, without a pipeline.
+  void AddLightConnection(vtkAlgorithmOutput* light); ///< One more light.
+  void AddLightData(vtkDataObject* light);            ///< One more light as a data object, without a pipeline.
+  void RemoveAllLights();                             ///< No light is connected from here on.
   ///@}
 
   ///@{
@@ -122,12 +133,13 @@ protected:
   ~vtkConeSetProbe() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   /// True where parameters and inputs are there; else the error is reported.
-  bool CheckRequest(vtkDataObject* cones, vtkDataObject* light, vtkDataObject* mesh);
+  bool CheckRequest(vtkDataObject* cones, bool hasLight, vtkDataObject* mesh);
 
   vtkConeSetProbe(const vtkConeSetProbe&) = delete;
   void operator=(const vtkConeSetProbe&) = delete;

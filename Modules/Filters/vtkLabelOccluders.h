@@ -5,8 +5,10 @@
  *
  * Every filter that takes a mesh expects what this one gives: triangles with the cell array "OccluderId". In order:
  *
- * 1. Polygons and strips become triangles; concave polygons are fine. Lines and vertices are ignored.
- * 2. Points closer than WeldTolerance become one, the earliest in input order, at its own place.
+ * 1. Polygons and strips become triangles; concave polygons and polygons with bridged holes are fine. Lines and vertices
+ *    are ignored. Cells that "vtkGhostType" marks as hidden or duplicate are not there.
+ * 2. Points closer than WeldTolerance times the shortest edge at each of them become one, the earliest in input order, at
+ *    its own place.
  * 3. Triangles with repeated points or without area are dropped, and so are triangles on the same three points as an
  *    earlier one (wound either way).
  * 4. Winding spreads over edges where exactly two triangles meet. Closed surfaces are turned outward (positive signed
@@ -15,28 +17,32 @@
  * 5. Occluders are numbered from 0 in order of their first triangle. See SetLabelBy().
  *
  * The half-edge structure is that of OpenMesh. Cost is near-linear: 70,000 triangles take about a tenth of a second.
- * All work is in double precision, relative to the mesh's own bounds, so that place and size do not matter.
+ * All work is in double precision and lengths are measured against the triangles at hand: place and size do not matter.
  *
  * **Input 0**: vtkPolyData, vtkMultiBlockDataSet, vtkPartitionedDataSet or vtkPartitionedDataSetCollection of poly
  * data. A block is a leaf of a multiblock, or one vtkPartitionedDataSet or vtkMultiPieceDataSet with all its pieces.
  * Cell and point arrays that all blocks have are passed on: a triangle gets its cell's values, a point those of the
- * earliest point welded into it. Normals (the active ones) are not: welding and winding make them wrong. A cell array
- * "OccluderId" (1 component) marks receivers by negative values: walls and floors that catch shadows but cast none. Its
- * other values are replaced.
+ * earliest point welded into it. The point array "Normals" (or the active normals) is passed on too, turned where a
+ * triangle was turned; a point stands once for each of its normals, so that sharp edges stay sharp. A cell array
+ * "OccluderId" (1 component, any numeric type) marks receivers by negative values: walls and floors that catch shadows but
+ * cast none. Its other values are ids of casters: they become names, and with LabelBy = Array occluders.
  *
  * **Output 0**: vtkPolyData, triangles, points in double precision. Cell data:
  * - "OccluderId" (int): from 0; -1 for receivers, which keep their winding and are in none of the edge counts.
  *
- * Field data, all of 1 component and, but for the last, 1 value:
- * - "NumberOfOccluders" (int)
- * - "TriangulatedPolygons" (int): polygons of more than three corners, and strips
- * - "WeldedPoints" (int): points of polygons that were replaced by an earlier one
- * - "DroppedCells" (int): triangles of step 3, and polygons of fewer than three corners
- * - "IgnoredCells" (int): lines and vertices
- * - "FlippedTriangles" (int)
- * - "NonManifoldEdges" (int): edges where more than two triangles of occluders meet
- * - "BoundaryEdges" (int): edges of only one triangle of an occluder
+ * Field data, all of 1 component and, but for the last two, 1 value:
+ * - "NumberOfOccluders" (id)
+ * - "TriangulatedPolygons" (id): polygons of more than three corners, and strips
+ * - "WeldedPoints" (id): points of polygons that were replaced by an earlier one
+ * - "DroppedCells" (id): triangles of step 3, and polygons of fewer than three corners
+ * - "IgnoredCells" (id): lines and vertices
+ * - "FlippedTriangles" (id)
+ * - "NonManifoldEdges" (id): edges where more than two triangles of occluders meet
+ * - "BoundaryEdges" (id): edges of only one triangle of an occluder
  * - "OccluderClosed" (unsigned char, one value an occluder): 1 where its surface has no border and can be oriented
+ *
+ * - "OccluderNames" (string, one value an occluder): the id that was given to its triangles, as text, or the name of
+ *   their block, or where there is neither its number; several names are joined by commas
  *
  * Piece requests are honoured: the whole mesh is read and labelled, and piece p of n gets triangles [N p / n, N (p + 1)
  * / n) with the whole mesh's ids and field data. Empty input (no cells, no points) gives empty output.
@@ -65,29 +71,33 @@ public:
     AUTOMATIC = 0, ///< Block for a multiblock or a collection, Component for anything else
     COMPONENT = 1, ///< triangles that share a point, also over the borders of blocks
     BLOCK = 2,     ///< one occluder for each block that has triangles; points of different blocks are not welded
-    WHOLE = 3      ///< all triangles are one occluder
+    WHOLE = 3,     ///< all triangles are one occluder
+    ARRAY = 4      ///< one occluder for each id of a cell array; triangles of different ids share no point
   };
 
   ///@{
   /**
-   * What makes one occluder. Default: Automatic.
+   * What makes one occluder. Array: the ids of the cell array that SetInputArrayToProcess() names, "OccluderId" unless
+   * told. Default: Automatic.
    */
   vtkSetMacro(LabelBy, int);
-  vtkGetMacro(LabelBy, int); ///< 0 Automatic, 1 Component, 2 Block, 3 Whole.
+  vtkGetMacro(LabelBy, int); ///< 0 Automatic, 1 Component, 2 Block, 3 Whole, 4 Array.
   /// Block for composite inputs, Component for anything else.
   void SetLabelByToAutomatic() { this->SetLabelBy(AUTOMATIC); }
   void SetLabelByToComponent() { this->SetLabelBy(COMPONENT); } ///< Triangles that share a point are one occluder.
   void SetLabelByToBlock() { this->SetLabelBy(BLOCK); }         ///< Each block that has triangles is one occluder.
   void SetLabelByToWhole() { this->SetLabelBy(WHOLE); }         ///< All triangles are one occluder.
+  void SetLabelByToArray() { this->SetLabelBy(ARRAY); }         ///< Each id of the chosen cell array is one occluder.
   ///@}
 
   ///@{
   /**
-   * Distance within which points are one, as a fraction of the diagonal of the polygons' bounds. 0: only points with
-   * exactly the same coordinates. Default: 1e-9, which is rounding in double precision. Valid range: 0 to 0.1.
+   * Distance within which points are one, as a share of the shortest edge at each of the two points, so that nothing small
+   * is lost next to something large; never less than rounding of their coordinates in double precision. 0: only points
+   * with exactly the same coordinates. Default: 1e-9. Valid range: 0 to 0.1.
    */
   vtkSetMacro(WeldTolerance, double);
-  /// Distance within which points are one, as a fraction of the diagonal of the bounds.
+  /// Distance within which points are one, as a share of the shortest edge at each of them.
   vtkGetMacro(WeldTolerance, double);
   ///@}
 
@@ -103,7 +113,7 @@ public:
   ///@}
 
 protected:
-  vtkLabelOccluders() = default;
+  vtkLabelOccluders();
   ~vtkLabelOccluders() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;

@@ -3,10 +3,14 @@
 
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
+#include "scFingerprints.h"
 #include "scLightData.h"
 #include "scMeshData.h"
+#include "scOccluderNames.h"
+#include "scSceneLights.h"
 #include "scShadowVectors.h"
 #include "scVectorData.h"
+#include "scWarnings.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -14,6 +18,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <exception>
 
 using namespace shadowcones;
@@ -36,17 +41,36 @@ void vtkShadowVectorFilter::SetLightData(vtkDataObject* light)
   this->SetInputData(1, light);
 }
 
+void vtkShadowVectorFilter::AddLightConnection(vtkAlgorithmOutput* light)
+{
+  this->AddInputConnection(1, light);
+}
+
+void vtkShadowVectorFilter::AddLightData(vtkDataObject* light)
+{
+  this->AddInputDataInternal(1, light);
+}
+
+void vtkShadowVectorFilter::RemoveAllLights()
+{
+  this->RemoveAllInputConnections(1);
+}
+
 int vtkShadowVectorFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  // A missing light is reported by RequestData, which can say what to connect.
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
+  if (port == 1)
+  {
+    FillLightPortInformation(info);
+    return 1;
+  }
+  AcceptBlocks(info);
   return 1;
 }
 
 int vtkShadowVectorFilter::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  OfferTimes(this, inputVector, outputVector);
   HandlePieces(outputVector);
   return 1;
 }
@@ -58,28 +82,55 @@ int vtkShadowVectorFilter::RequestUpdateExtent(
   return 1;
 }
 
+namespace
+{
+
+/// What is to be said of the photons of a whole run.
+Warnings ReportPhotons(const TriangleMesh& mesh, const ShadowVectorOptions& options, const ShadowVectorResult& result)
+{
+  const auto& states = result.Paths.States;
+  const auto paths = static_cast<vtkIdType>(states.size());
+  const auto blocked = static_cast<vtkIdType>(std::count(states.begin(), states.end(), 1));
+  const auto vectors = static_cast<vtkIdType>(result.Vectors.OccluderIds.size());
+  const std::string few = TargetNotMet(vectors, options.TargetNumberOfVectors, result.NumberOfPhotons);
+  // None is emitted where no light leaves towards an occluder.
+  const vtkIdType photons = result.NumberOfPhotons > 0 ? result.NumberOfPhotons : options.NumberOfPhotons;
+  Warnings warnings;
+  warnings.Add(few.empty() && !mesh.Triangles.empty() ? NothingInShadow(photons, blocked) : few);
+  warnings.Add(NothingLit(paths, blocked, result.MeanSolidAngle));
+  warnings.Add(blocked > 0 ? OccludersWithoutVectors(mesh.OccluderIds, result.Vectors.OccluderIds) : std::string());
+  return warnings;
+}
+
+} // namespace
+
 int vtkShadowVectorFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* meshInput = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* lightInput = vtkPolyData::GetData(inputVector[1]);
-
-  TriangleMesh mesh;
-  Light light;
+  const FilterRun run(this, request, inputVector, outputVector);
   std::string error;
-  if (!lightInput)
-  {
-    vtkErrorMacro("No light on input port 1: connect a vtkAreaLightSource or a polygon mesh with SetLightConnection.");
-    return 0;
-  }
-  if (!ReadLight(lightInput, light, error) || !ReadTriangles(meshInput, mesh, error))
+  if (!run.AreInputsWhole(error))
   {
     vtkErrorMacro(<< error);
     return 0;
   }
-  if (mesh.Triangles.empty() && meshInput->GetNumberOfCells() > 0)
+  vtkDataObject* meshInput = vtkDataObject::GetData(inputVector[0]);
+
+  TriangleMesh mesh;
+  SceneLights lights;
+  if (inputVector[1]->GetNumberOfInformationObjects() == 0)
   {
-    vtkErrorMacro("The mesh on input port 0 has " << meshInput->GetNumberOfCells()
+    vtkErrorMacro("No light on input port 1: connect a vtkAreaLightSource or a polygon mesh with SetLightConnection.");
+    return 0;
+  }
+  if (!ReadLights(inputVector[1], lights, error) || !ReadTriangles(meshInput, mesh, error))
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  if (mesh.Triangles.empty() && mesh.NumberOfCells > 0)
+  {
+    vtkErrorMacro("The mesh on input port 0 has " << mesh.NumberOfCells
       << " cells and no polygon: shadows need surfaces. Run vtkDataSetSurfaceFilter, or triangulate, before vtkLabelOccluders.");
     return 0;
   }
@@ -113,7 +164,7 @@ int vtkShadowVectorFilter::RequestData(
   try
   {
     const OccluderScene scene(mesh.View());
-    if (!mesh.Triangles.empty() && !TraceShadowVectors(scene, light, options, MonitorOf(this), result))
+    if (!mesh.Triangles.empty() && !TraceShadowVectors(scene, lights.Lights, options, MonitorOf(this), result))
     {
       return 1; // aborted: the outputs stay empty
     }
@@ -123,14 +174,16 @@ int vtkShadowVectorFilter::RequestData(
     vtkErrorMacro("Tracing photons failed: " << exception.what());
     return 0;
   }
-  if (piece.NumberOfPieces == 1 &&
-    static_cast<vtkIdType>(result.Vectors.OccluderIds.size()) < options.TargetNumberOfVectors)
+  if (piece.NumberOfPieces == 1)
   {
-    vtkWarningMacro("Only " << result.Vectors.OccluderIds.size() << " of " << options.TargetNumberOfVectors
-      << " vectors were stored by " << result.NumberOfPhotons
-      << " photons: hardly any light meets an occluder. Check where the light is and which way it faces.");
+    ReportPhotons(mesh, options, result).Say(this);
   }
 
+  for (const std::string& warning : lights.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  const std::uint64_t fingerprint = CastersFingerprintOf(mesh);
   WriteShadowVectors(result.Vectors, vtkPolyData::GetData(outputVector, 0));
   WritePhotonPaths(result.Paths, vtkPolyData::GetData(outputVector, 1));
   WriteShadowPhotons(result.Photons, vtkPolyData::GetData(outputVector, 2));
@@ -141,10 +194,10 @@ int vtkShadowVectorFilter::RequestData(
     AddDoubleArray(output->GetFieldData(), "MeanSolidAngle", 1, { result.MeanSolidAngle });
     AddIntArray(output->GetFieldData(), "Seed", 1, { this->Seed });
     AddIntArray(output->GetFieldData(), "Storage", 1, { this->Storage });
-    if (light.Shape != LightShape::Mesh)
-    {
-      WriteLightFieldData(light, output);
-    }
+    AddIdArray(output->GetFieldData(), "PhotonsOfLights", result.PhotonsOfLights);
+    WriteOccluderNames(mesh.OccluderNames, output->GetFieldData());
+    WriteFingerprints(castersFingerprint, { fingerprint }, output->GetFieldData());
+    WriteLights(lights.Lights, output);
   }
   return 1;
 }

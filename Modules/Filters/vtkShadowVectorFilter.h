@@ -10,26 +10,34 @@
  * threads, and the pieces of a piece request are ranges of photons whose union is the whole.
  *
  * Input port 0: vtkPolyData of triangles with cell array "OccluderId" (int), as vtkLabelOccluders writes it. Cells whose id is
- * negative are receivers: they end a path and take shadow photons, but store no vectors. Input port 1: the light, from
- * vtkAreaLightSource, or any polygon mesh, which then emits from every face along its normal.
+ * negative are receivers: they end a path and take shadow photons, but store no vectors. Input port 1: the lights, each
+ * from vtkAreaLightSource, or any polygon mesh, which then emits from every face along its normal.
+ *
+ * Several lights (one a connection, or a block of a composite) share the photons by power: pi x area x radiance for
+ * discs, rectangles, spheres and meshes, 4 pi x intensity for points, and for a Sun its irradiance x the area of the
+ * occluders' bounds as it sees them, means over wavelengths; but none that shines gets less than an eighth of an equal
+ * share. A light's photons are the first ones of those that it has alone, and "Power" makes up for their number.
  *
  * Output port 0, shadow vectors, one vertex each (points in double precision). Point data: "Direction" (float 3, unit, away
  * from the light), "Normal" (float 3, unit; BackSide: outward where the light would come out; HitPoint: where it goes in),
  * "OccluderId" (int), "EmissionPoint" (double 3; Sun: a point towards it, beyond the occluders), "PathLength" (float, world
  * units, emission point to the vector's point), "Thickness" (float, world units, entry to exit; 0 for open sheets),
- * "PhotonIndex" (id).
+ * "PhotonIndex" (id), "LightId" (int, counts the lights in the order of connections and blocks).
  *
  * Output port 1, photon paths, one vertex each at the path's first hit (lit paths: at the receiver, or where they leave the
  * bounds). Point data: "PathState" (int: 0 lit, 1 blocked), "OccluderId" (int, of the first hit; -1 where lit),
  * "EmissionPoint" (double 3), "Direction" (float 3), "Power" (float, W, mean over the wavelength samples: the surface photon
- * map), "PhotonIndex" (id).
+ * map), "PhotonIndex" (id), "LightId" (int).
  *
  * Output port 2, shadow photons (Jensen and Christensen 1995), one vertex each on the next surface behind the first occluder.
  * Point data: "Normal" (float 3, of that surface), "Direction" (float 3), "Power" (float, W, negative: the flux that is
- * missing), "OccluderId" (int, of the caster), "ReceiverId" (int, occluder id of the surface), "PhotonIndex" (id).
+ * missing), "OccluderId" (int, of the caster), "ReceiverId" (int, occluder id of the surface), "PhotonIndex" (id),
+ * "LightId" (int).
  *
  * Field data of all outputs: "NumberOfPhotons" (id, emitted in all), "MeanSolidAngle" (double, sr, into which they were aimed),
- * "Seed", "Storage" (int), and the light's exact shape ("LightShape" and its companions) where it has one.
+ * "PhotonsOfLights" (id, of these, one value a light), "Seed", "Storage" (int), "LightFingerprint" (unsigned 64-bit,
+ * one value a light, of its geometry), and the lights' exact shapes ("LightShape" and its companions, one tuple a
+ * light) where there are.
  *
  * @warning Memory is about 250 bytes a photon while tracing.
  * @sa vtkAreaLightSource vtkLabelOccluders vtkConeSetFilter
@@ -49,8 +57,13 @@ public:
 
   ///@{
   /// The light, input port 1. Required.
+  /// Several lights: one a connection, or a block of a composite, all with the same wavelengths. Set replaces all of
+  /// them.
   void SetLightConnection(vtkAlgorithmOutput* light);
-  void SetLightData(vtkDataObject* light); ///< The light as a data object, without a pipeline.
+  void SetLightData(vtkDataObject* light);            ///< The light as a data object, without a pipeline.
+  void AddLightConnection(vtkAlgorithmOutput* light); ///< One more light.
+  void AddLightData(vtkDataObject* light);            ///< One more light as a data object, without a pipeline.
+  void RemoveAllLights();                             ///< No light is connected from here on.
   ///@}
 
   ///@{
@@ -74,7 +87,7 @@ public:
   ///@{
   /// Where a vector is stored. BackSide: at the exit of the solid that was entered, at the hit itself where the occluder is an
   /// open sheet (the paper's choice). HitPoint: where the path first meets the occluder, so that cones bound the shadow inside
-  /// the occluder too. Default BackSide.
+  /// the occluder too. Default HitPoint.
   vtkSetMacro(Storage, int);
   vtkGetMacro(Storage, int); ///< 0 BackSide, 1 HitPoint.
   /// Store vectors where light would leave the occluder, as in the paper.
@@ -88,6 +101,9 @@ public:
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int); ///< Number that chooses the photons.
   ///@}
+
+  /// Store vectors as the paper does (section 3.1): at the back side of the occluder.
+  void SetToPaper() { this->SetStorageToBackSide(); }
 
 protected:
   vtkShadowVectorFilter();
@@ -104,7 +120,7 @@ private:
 
   vtkIdType NumberOfPhotons = 40000;
   vtkIdType TargetNumberOfVectors = 0;
-  int Storage = BACK_SIDE;
+  int Storage = HIT_POINT;
   int Seed = 1;
 };
 

@@ -8,6 +8,7 @@
 #include "scLightData.h"
 #include "scOptionalBounds.h"
 #include "scUmbraField.h"
+#include "scWarnings.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -41,15 +42,17 @@ constexpr double smallestShare = 0.02;
 /// Cells smaller than this share of their coordinates lose their digits.
 constexpr double smallestCell = 1e-13;
 
-/// Cones and the id of their surface, in ascending order of it.
-using Groups = std::vector<std::pair<int, std::vector<Cone>>>;
+/// What a surface bounds the shadow of: a light, and an occluder or -1 for all.
+using SurfaceKey = std::pair<int, int>;
+/// Cones of one surface each, in ascending order of their keys.
+using Groups = std::vector<std::pair<SurfaceKey, std::vector<Cone>>>;
 
 Groups GroupCones(const std::vector<Cone>& cones, bool perOccluder)
 {
-  std::map<int, std::vector<Cone>> groups;
+  std::map<SurfaceKey, std::vector<Cone>> groups;
   for (const Cone& cone : cones)
   {
-    groups[perOccluder ? cone.OccluderId : -1].push_back(cone);
+    groups[{ cone.LightId, perOccluder ? cone.OccluderId : -1 }].push_back(cone);
   }
   return { groups.begin(), groups.end() };
 }
@@ -59,7 +62,7 @@ class SolidBuilder
 {
 public:
   /// Contour the field's zero; @p values is changed.
-  void AddSurface(const FieldGrid& grid, std::vector<float>& values, int occluderId)
+  void AddSurface(const FieldGrid& grid, std::vector<float>& values, const SurfaceKey& key)
   {
     const double nearest = smallestShare * std::min({ grid.Spacing.X, grid.Spacing.Y, grid.Spacing.Z });
     for (float& value : values)
@@ -77,21 +80,25 @@ public:
     contour->ComputeNormalsOff();
     contour->ComputeScalarsOff();
     contour->Update();
-    this->Append(contour->GetOutput(), grid, occluderId);
+    this->Append(contour->GetOutput(), grid, key);
   }
+
+  /// Did the last occluder with triangles have this id?
+  bool EndsWith(int occluderId) const { return !this->OccluderIds.empty() && this->OccluderIds.back() == occluderId; }
 
   void Finish(vtkPolyData* output, vtkFieldData* fieldData)
   {
     output->SetPoints(this->Points);
     output->SetPolys(this->Triangles);
     AddIntArray(output->GetCellData(), "OccluderId", 1, this->OccluderIds);
+    AddIntArray(output->GetCellData(), "LightId", 1, this->LightIds);
     output->GetFieldData()->PassData(fieldData);
   }
 
   SolidBuilder() { this->Points->SetDataTypeToDouble(); }
 
 private:
-  void Append(vtkPolyData* surface, const FieldGrid& grid, int occluderId)
+  void Append(vtkPolyData* surface, const FieldGrid& grid, const SurfaceKey& key)
   {
     const vtkIdType first = this->Points->GetNumberOfPoints();
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
@@ -109,13 +116,15 @@ private:
       // The contour faces the way the field falls, which is inward.
       const vtkIdType triangle[3] = { first + ids[0], first + ids[2], first + ids[1] };
       this->Triangles->InsertNextCell(3, triangle);
-      this->OccluderIds.push_back(occluderId);
+      this->LightIds.push_back(key.first);
+      this->OccluderIds.push_back(key.second);
     }
   }
 
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Triangles;
   std::vector<int> OccluderIds;
+  std::vector<int> LightIds;
 };
 
 /// What a grid over the region would need that cannot be had; empty where it can.
@@ -189,16 +198,26 @@ Solid JointUmbra(const std::vector<Cone>& cones, const Light& light, double leng
   return solid;
 }
 
-/// The light's exact shape, from the field data of the cone set.
-bool ReadLightOf(vtkPolyData* coneSet, Light& light, std::string& error)
+/// The exact shape of every light that cones are of, from the field data of the cone set.
+bool ReadLightsOf(
+  vtkPolyData* coneSet, const std::vector<Cone>& cones, std::vector<Light>& lights, std::string& error)
 {
-  if (!coneSet->GetFieldData()->GetAbstractArray("LightShape"))
+  if (!ReadLightShapes(coneSet->GetFieldData(), lights, error))
+  {
+    return false;
+  }
+  const bool known = std::all_of(cones.begin(), cones.end(),
+    [&](const Cone& cone)
+    {
+      const auto id = static_cast<std::size_t>(cone.LightId);
+      return cone.LightId >= 0 && id < lights.size() && lights[id].Shape != LightShape::Mesh;
+    });
+  if (!known)
   {
     error = "Umbra is BaseDiscs, but the field data of the cone set does not carry the light (\"LightShape\"): use "
             "InnerCones, or cones of a light of vtkAreaLightSource.";
-    return false;
   }
-  return ReadLight(coneSet, light, error);
+  return known;
 }
 
 double DiagonalOfBases(const std::vector<Cone>& cones)
@@ -226,8 +245,10 @@ bool vtkShadowVolume::HasBounds() const
   return !AreUnsetBounds(this->Bounds);
 }
 
-int vtkShadowVolume::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkShadowVolume::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  OfferTimes(this, inputVector, outputVector);
   HandlePieces(outputVector);
   return 1;
 }
@@ -266,10 +287,17 @@ std::string vtkShadowVolume::CheckParameters() const
 int vtkShadowVolume::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const FilterRun run(this, request, inputVector, outputVector);
+  std::string error;
+  if (!run.AreInputsWhole(error))
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
 
   std::vector<Cone> cones;
-  std::string error = this->CheckParameters();
+  error = this->CheckParameters();
   if (!error.empty() || !ReadConeSet(input, cones, error))
   {
     vtkErrorMacro(<< error);
@@ -284,8 +312,8 @@ int vtkShadowVolume::RequestData(
     return 0;
   }
 
-  Light light;
-  if (!cones.empty() && this->Umbra == BASE_DISCS && !ReadLightOf(input, light, error))
+  std::vector<Light> lights;
+  if (!cones.empty() && this->Umbra == BASE_DISCS && !ReadLightsOf(input, cones, lights, error))
   {
     vtkErrorMacro(<< error);
     return 0;
@@ -297,6 +325,7 @@ int vtkShadowVolume::RequestData(
   const vtkIdType end = piece.End(static_cast<vtkIdType>(groups.size()));
   const Monitor monitor = MonitorOf(this);
   SolidBuilder solids[2];
+  vtkIdType withSurface = 0; // outer ones
   try
   {
     for (vtkIdType i = 2 * begin; i < 2 * end; ++i)
@@ -304,8 +333,9 @@ int vtkShadowVolume::RequestData(
       const auto& group = groups[i / 2];
       const double steps = static_cast<double>(2 * (end - begin));
       const Monitor part = monitor.Part((i - 2 * begin) / steps, (i - 2 * begin + 1) / steps);
+      const auto light = static_cast<std::size_t>(std::max(group.first.first, 0));
       const Solid solid = i % 2 && this->Umbra == BASE_DISCS
-        ? JointUmbra(group.second, light, length, bounds, this->Resolution, part.Part(0.0, 0.3))
+        ? JointUmbra(group.second, lights[light], length, bounds, this->Resolution, part.Part(0.0, 0.3))
         : UnionOfCones(group.second, i % 2 ? ConeBound::Inner : ConeBound::Outer, length, bounds);
       if (part.IsAborted())
       {
@@ -319,7 +349,7 @@ int vtkShadowVolume::RequestData(
       if (!error.empty())
       {
         vtkErrorMacro(
-          "The " << (i % 2 ? "inner" : "outer") << " bound of occluder " << group.first << " needs " << error);
+          "The " << (i % 2 ? "inner" : "outer") << " bound of occluder " << group.first.second << " needs " << error);
         return 0;
       }
       const FieldGrid grid = GridOver(solid.Region, this->Resolution);
@@ -329,6 +359,7 @@ int vtkShadowVolume::RequestData(
         return 1; // aborted: the outputs stay empty
       }
       solids[i % 2].AddSurface(grid, values, group.first);
+      withSurface += i % 2 == 0 && solids[0].EndsWith(group.first.second) ? 1 : 0;
     }
   }
   catch (const std::exception& exception)
@@ -336,6 +367,9 @@ int vtkShadowVolume::RequestData(
     vtkErrorMacro("Contouring the cones failed: " << exception.what());
     return 0;
   }
+  Warnings warnings;
+  warnings.Add(OccludersWithoutSurface(end - begin - withSurface, end - begin));
+  warnings.Say(this);
   for (int port = 0; port < 2; ++port)
   {
     solids[port].Finish(vtkPolyData::GetData(outputVector, port), input->GetFieldData());

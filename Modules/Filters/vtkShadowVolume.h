@@ -11,14 +11,15 @@
  * pieces of a piece request are ranges of occluders.
  *
  * Input port 0: vtkPolyData, a cone set as vtkConeSetFilter writes it; point data "Axis", "BaseRadius" and "HalfAngle"
- * are required, "InnerHalfAngle" and "OccluderId" optional. Field data: the light's exact shape, for Umbra BaseDiscs.
+ * are required, "InnerHalfAngle", "OccluderId" and "LightId" optional. Field data: the lights' exact shapes, for Umbra
+ * BaseDiscs. Cones of several lights make surfaces of their own for each light.
  *
  * Output port 0: vtkPolyData, the outer bound: the union of the cones that open by "HalfAngle", which holds the
  * penumbra and the umbra where the cones are bounds (Expansion LightGeometry, ExpansionFraction 1). Output port 1: the
  * inner bound: the union of the cones that open or close by "InnerHalfAngle", or what the base discs hide together; see
  * Umbra. Both hold triangles; points are in double precision, world units. Cell data: "OccluderId" (int; -1 where
- * PerOccluder is off), triangles in ascending order of it. Field data: that of the cone set. An occluder whose cones
- * have no volume inside the bounds has no triangles.
+ * PerOccluder is off), "LightId" (int); triangles in ascending order of lights, then of occluders. Field data: that of
+ * the cone set. An occluder whose cones have no volume inside the bounds has no triangles.
  *
  * Memory: 5 bytes (Umbra BaseDiscs: 9) a sample of the largest grid, at most (Resolution + 2)^3 samples and never more
  * than 2^28 (1.3 or 2.3 GiB), beside the outputs. Larger grids are an error.

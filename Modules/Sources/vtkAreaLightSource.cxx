@@ -12,6 +12,7 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -244,6 +245,13 @@ int vtkAreaLightSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
   if (this->Shape == Point || this->Shape == Sun)
   {
     output->SetVerts(cells);
+    if (this->Shape == Sun)
+    {
+      // Transforms turn normals: what is left of a Sun's direction when it was turned as data.
+      const Vector3& normal = light.Normal;
+      shadowcones::AddDoubleArray(output->GetPointData(), "Normals", 3, { normal.X, normal.Y, normal.Z });
+      output->GetPointData()->SetActiveNormals("Normals");
+    }
   }
   else
   {

@@ -11,8 +11,8 @@
  *
  * Output: poly data, points in double precision. Disc: one polygon; Rectangle: one quadrilateral; Sphere:
  * quadrilaterals, triangles at the poles; polygons are oriented along the emission. Point: one vertex at Center. Sun:
- * one vertex at Center, which stands for the light on the screen and has no other meaning. Every piece holds the whole
- * light.
+ * one vertex at Center, which stands for the light on the screen, with its direction as active normals "Normals"
+ * (double 3), which transforms turn. Every piece holds the whole light.
  *
  * Field data:
  * - "LightShape" (int 1): 0 Disc, 1 Rectangle, 2 Sphere, 3 Point, 4 Sun
@@ -26,8 +26,9 @@
  * - "LightSpectrum" (double, one value a wavelength sample): see Radiance
  * - "LightWavelengths" (double, nm): the middle of each wavelength sample, equal bins from 400 to 700 nm
  *
- * @warning A filter that moves points, such as vtkTransformPolyDataFilter, does not move the exact shape in field data.
- * Set Center and Normal instead.
+ * The exact shape follows a mesh that was moved, turned or scaled as a whole, by vtkTransformPolyDataFilter for one.
+ * Where the mesh was cut, stretched or joined with another one its polygons shine instead, and the filter that reads it
+ * warns. Several lights are several connections: AddLightConnection.
  *
  * @sa vtkShadowVectorFilter vtkScatteringImageFilter
  */

@@ -23,6 +23,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 namespace filtertesting
@@ -41,17 +42,30 @@ public:
         auto* messages = static_cast<Messages*>(self);
         (event == vtkCommand::ErrorEvent ? messages->Errors : messages->Warnings) += static_cast<const char*>(text);
       });
-    for (vtkObject* object : { static_cast<vtkObject*>(algorithm), static_cast<vtkObject*>(algorithm->GetExecutive()) })
+    this->Algorithm = algorithm;
+    for (vtkObject* object : this->Speakers())
     {
       object->AddObserver(vtkCommand::ErrorEvent, this->Callback);
       object->AddObserver(vtkCommand::WarningEvent, this->Callback);
     }
   }
+  ~Messages()
+  {
+    for (vtkObject* object : this->Speakers())
+    {
+      object->RemoveObserver(this->Callback);
+    }
+  }
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
 
   std::string Errors;
   std::string Warnings;
 
 private:
+  std::array<vtkObject*, 2> Speakers() { return { this->Algorithm, this->Algorithm->GetExecutive() }; }
+
+  vtkSmartPointer<vtkAlgorithm> Algorithm;
   vtkNew<vtkCallbackCommand> Callback;
 };
 

@@ -3,6 +3,7 @@
 #include "vtkLabelOccluders.h"
 
 #include "FilterTesting.h"
+#include "TimeLimit.h"
 
 #include "vtk3DSImporter.h"
 #include "vtkActor.h"
@@ -41,6 +42,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -57,6 +59,8 @@ int Report(vtkPolyData* data, const char* name, vtkIdType index = 0)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
   EXPECT_TRUE(array) << name;
+  // A count may be larger than an int can be.
+  EXPECT_EQ(array && std::strcmp(name, "OccluderClosed") != 0 && array->GetDataType() != VTK_ID_TYPE, false) << name;
   return array && index < array->GetNumberOfTuples() ? static_cast<int>(array->GetComponent(index, 0)) : -99;
 }
 
@@ -190,7 +194,7 @@ TEST(LabelOccluders, CubeSource)
   const Filter filter = Labelled(Cube(), 0.0);
   vtkPolyData* output = filter->GetOutput();
   EXPECT_EQ(output->GetNumberOfCells(), 12);
-  EXPECT_EQ(output->GetNumberOfPoints(), 8);
+  EXPECT_EQ(output->GetNumberOfPoints(), 24) << "one for each normal of a corner";
   EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
   EXPECT_EQ(Report(output, "NumberOfOccluders"), 1);
   EXPECT_EQ(Report(output, "TriangulatedPolygons"), 6);
@@ -201,7 +205,7 @@ TEST(LabelOccluders, CubeSource)
   EXPECT_EQ(Report(output, "NonManifoldEdges"), 0);
   EXPECT_EQ(Report(output, "BoundaryEdges"), 0);
   EXPECT_EQ(Report(output, "OccluderClosed"), 1);
-  EXPECT_EQ(output->GetPointData()->GetNormals(), nullptr) << "normals of unwelded points";
+  ASSERT_NE(output->GetPointData()->GetNormals(), nullptr);
   vtkNew<vtkMassProperties> mass;
   mass->SetInputData(output);
   EXPECT_NEAR(mass->GetVolume(), 1.0, 1e-12);
@@ -401,7 +405,7 @@ TEST(LabelOccluders, FaultsAreNamed)
   EXPECT_HAS(Error(Cube(), -1.0), "WeldTolerance is -1.000000");
   EXPECT_HAS(Error(Cube(), 0.2), "WeldTolerance is 0.200000");
   EXPECT_HAS(Error(Cube(), nan), "WeldTolerance is ");
-  EXPECT_HAS(Error(Cube(), 0.0, 4), "LabelBy is 4");
+  EXPECT_HAS(Error(Cube(), 0.0, 5), "LabelBy is 5");
 
   auto cube = Cube();
   vtkNew<vtkFloatArray> shortArray;
@@ -575,7 +579,7 @@ TEST(LabelOccluders, Bunny)
   const Filter filter = Labelled(reader->GetOutput());
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   RecordProperty("Seconds", std::to_string(seconds));
-  EXPECT_LT(seconds, 2.0);
+  EXPECT_LT(seconds, TimeLimit(2.0));
   vtkPolyData* output = filter->GetOutput();
   EXPECT_EQ(output->GetNumberOfCells(), 69666);
   EXPECT_EQ(Report(output, "NumberOfOccluders"), 1);
@@ -602,6 +606,7 @@ TEST_P(RealMesh, EdgesAsVtkCountsThem)
     GTEST_SKIP() << "glmark2-data is not installed";
   }
   auto imported = Import3DS(path);
+  imported->GetPointData()->Initialize(); // points with several normals are not welded
   vtkNew<vtkCleanPolyData> clean;
   clean->SetInputData(imported);
   clean->Update();

@@ -32,6 +32,7 @@ Outcome Execute(vtkPolyData* mesh, Change change)
 {
   const auto light = LampAbove(3.0);
   vtkNew<vtkShadowVectorFilter> filter;
+  filter->SetToPaper();
   filter->SetInputData(mesh);
   filter->SetLightConnection(light->GetOutputPort());
   filter->SetNumberOfPhotons(200);
@@ -56,6 +57,7 @@ TEST(ShadowVectorFilter, GivesTheDocumentedArrays)
 {
   const auto light = LampAbove(3.0);
   vtkNew<vtkShadowVectorFilter> filter;
+  filter->SetToPaper();
   filter->SetInputData(BoxOverFloor());
   filter->SetLightConnection(light->GetOutputPort());
   filter->SetNumberOfPhotons(2000);
@@ -69,7 +71,7 @@ TEST(ShadowVectorFilter, GivesTheDocumentedArrays)
   EXPECT_EQ(vectors->GetNumberOfCells(), count);
   EXPECT_EQ(vectors->GetPoints()->GetDataType(), VTK_DOUBLE);
   vtkPointData* data = vectors->GetPointData();
-  EXPECT_EQ(data->GetNumberOfArrays(), 7);
+  EXPECT_EQ(data->GetNumberOfArrays(), 8);
   vtkDataArray* directions = ArrayOf(data, "Direction", VTK_FLOAT, 3);
   ArrayOf(data, "Normal", VTK_FLOAT, 3);
   ArrayOf(data, "OccluderId", VTK_INT, 1);
@@ -77,6 +79,7 @@ TEST(ShadowVectorFilter, GivesTheDocumentedArrays)
   vtkDataArray* lengths = ArrayOf(data, "PathLength", VTK_FLOAT, 1);
   vtkDataArray* thicknesses = ArrayOf(data, "Thickness", VTK_FLOAT, 1);
   ArrayOf(data, "PhotonIndex", VTK_ID_TYPE, 1);
+  ArrayOf(data, "LightId", VTK_INT, 1);
   for (vtkIdType i = 0; i < count; ++i)
   {
     double p[3];
@@ -91,13 +94,14 @@ TEST(ShadowVectorFilter, GivesTheDocumentedArrays)
 
   vtkPolyData* paths = filter->GetOutput(1);
   data = paths->GetPointData();
-  EXPECT_EQ(data->GetNumberOfArrays(), 6);
+  EXPECT_EQ(data->GetNumberOfArrays(), 7);
   vtkDataArray* states = ArrayOf(data, "PathState", VTK_INT, 1);
   vtkDataArray* occluders = ArrayOf(data, "OccluderId", VTK_INT, 1);
   ArrayOf(data, "EmissionPoint", VTK_DOUBLE, 3);
   ArrayOf(data, "Direction", VTK_FLOAT, 3);
   ArrayOf(data, "Power", VTK_FLOAT, 1);
   ArrayOf(data, "PhotonIndex", VTK_ID_TYPE, 1);
+  ArrayOf(data, "LightId", VTK_INT, 1);
   vtkIdType blocked = 0;
   for (vtkIdType i = 0; i < paths->GetNumberOfPoints(); ++i)
   {
@@ -109,13 +113,14 @@ TEST(ShadowVectorFilter, GivesTheDocumentedArrays)
 
   vtkPolyData* photons = filter->GetOutput(2);
   data = photons->GetPointData();
-  EXPECT_EQ(data->GetNumberOfArrays(), 6);
+  EXPECT_EQ(data->GetNumberOfArrays(), 7);
   ArrayOf(data, "Normal", VTK_FLOAT, 3);
   ArrayOf(data, "Direction", VTK_FLOAT, 3);
   vtkDataArray* powers = ArrayOf(data, "Power", VTK_FLOAT, 1);
   ArrayOf(data, "OccluderId", VTK_INT, 1);
   vtkDataArray* receivers = ArrayOf(data, "ReceiverId", VTK_INT, 1);
   ArrayOf(data, "PhotonIndex", VTK_ID_TYPE, 1);
+  ArrayOf(data, "LightId", VTK_INT, 1);
   ASSERT_EQ(photons->GetNumberOfPoints(), blocked); // the floor is wide enough for all of them
   for (vtkIdType i = 0; i < blocked; ++i)
   {
@@ -139,6 +144,7 @@ TEST(ShadowVectorFilter, GivesTheDocumentedArrays)
 TEST(ShadowVectorFilter, TakesAnyMeshOrVertexForALight)
 {
   vtkNew<vtkShadowVectorFilter> filter;
+  filter->SetToPaper();
   filter->SetInputData(BoxOverFloor());
   MeshBuilder builder;
   const vtkIdType a = builder.AddPoint(-0.5, -0.5, 3.0);
@@ -192,6 +198,7 @@ TEST(ShadowVectorFilter, ParametersChangeWhatTheySay)
 {
   const auto light = LampAbove(3.0);
   vtkNew<vtkShadowVectorFilter> filter;
+  filter->SetToPaper();
   filter->SetInputData(BoxOverFloor());
   filter->SetLightConnection(light->GetOutputPort());
   filter->SetNumberOfPhotons(300);
@@ -335,6 +342,7 @@ TEST(ShadowVectorFilterErrors, AFaultClearsTheOutputsAndAGoodRunFollows)
 {
   const auto light = LampAbove(3.0);
   vtkNew<vtkShadowVectorFilter> filter;
+  filter->SetToPaper();
   filter->SetInputData(BoxOverFloor());
   filter->SetLightConnection(light->GetOutputPort());
   filter->SetNumberOfPhotons(300);
