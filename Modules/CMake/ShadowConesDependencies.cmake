@@ -7,7 +7,7 @@ endif ()
 
 if (NOT SHADOWCONES_BUILD_PARAVIEW_PLUGIN)
   set(_components CommonCore CommonDataModel CommonExecutionModel CommonMath FiltersCore FiltersGeneral
-    RenderingCore IOXML)
+    ParallelCore RenderingCore IOXML)
   if (SHADOWCONES_WRAP_PYTHON)
     list(APPEND _components WrappingPythonCore)
   endif ()

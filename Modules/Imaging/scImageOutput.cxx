@@ -2,50 +2,53 @@
 #include "scImageOutput.h"
 
 #include "scFieldArrays.h"
-#include "scSpectrum.h"
+#include "scToneMap.h"
 
 #include "vtkCamera.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
 
 namespace shadowcones
 {
 namespace
 {
-/// Linear radiance of every pixel to sRGB bytes.
-vtkSmartPointer<vtkUnsignedCharArray> ToneMap(
-  const std::vector<float>& radiance, const std::vector<double>& wavelengthsInNm, double exposure)
+/// The values of an array as floats: its own, or a copy.
+class FloatValues
 {
-  const auto matrix = SpectrumToLinearSrgb(wavelengthsInNm);
-  const auto wavelengths = static_cast<int>(wavelengthsInNm.size());
-  const auto pixels = static_cast<vtkIdType>(radiance.size() / static_cast<std::size_t>(wavelengths));
-  auto rgb = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  rgb->SetName("RGB");
-  rgb->SetNumberOfComponents(3);
-  rgb->SetNumberOfTuples(pixels);
-  unsigned char* bytes = rgb->GetPointer(0);
-  vtkSMPTools::For(0, pixels,
-    [&](vtkIdType begin, vtkIdType end)
+public:
+  explicit FloatValues(vtkDataArray* array)
+  {
+    if (auto* floats = vtkFloatArray::FastDownCast(array))
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const float* spectrum = radiance.data() + i * wavelengths;
-        for (int c = 0; c < 3; ++c)
-        {
-          double linear = 0.0;
-          for (int k = 0; k < wavelengths; ++k)
-          {
-            linear += matrix[c][k] * spectrum[k];
-          }
-          bytes[3 * i + c] = EncodeSrgb(exposure * linear);
-        }
-      }
-    });
-  return rgb;
-}
+      this->Values = floats->GetPointer(0);
+      return;
+    }
+    const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+    this->Copy.resize(static_cast<std::size_t>(array->GetNumberOfTuples()) * components);
+    for (std::size_t i = 0; i < this->Copy.size(); ++i)
+    {
+      this->Copy[i] = static_cast<float>(array->GetComponent(
+        static_cast<vtkIdType>(i / components), static_cast<int>(i % components)));
+    }
+    this->Values = this->Copy.data();
+  }
+  FloatValues(const FloatValues&) = delete;
+  FloatValues& operator=(const FloatValues&) = delete;
+
+  const float* Data() const { return this->Values; }
+
+private:
+  std::vector<float> Copy;
+  const float* Values = nullptr;
+};
 
 void AddTriple(vtkFieldData* field, const char* name, const double* values)
 {
@@ -53,8 +56,7 @@ void AddTriple(vtkFieldData* field, const char* name, const double* values)
 }
 } // anonymous namespace
 
-void WritePixels(
-  const ScatteringImage& image, const std::vector<double>& wavelengthsInNm, double exposure, vtkPointData* points)
+void WritePixels(const ScatteringImage& image, vtkPointData* points)
 {
   const int wavelengths = image.NumberOfWavelengths;
   AddFloatArray(points, "Radiance", wavelengths, image.Radiance);
@@ -64,7 +66,52 @@ void WritePixels(
   AddFloatArray(points, "Depth", 1, image.Depth);
   AddFloatArray(points, "RelativeError", 1, image.RelativeError);
   AddIntArray(points, "SampleCount", 1, image.SampleCount);
-  points->SetScalars(ToneMap(image.Radiance, wavelengthsInNm, exposure));
+}
+
+double FindExposure(vtkImageData* image, const std::vector<double>& wavelengthsInNm)
+{
+  vtkDataArray* radiance = image->GetPointData()->GetArray("Radiance");
+  const auto sameShape = [radiance](vtkDataArray* array)
+  {
+    return array && array->GetNumberOfComponents() == radiance->GetNumberOfComponents() &&
+      array->GetNumberOfTuples() == radiance->GetNumberOfTuples();
+  };
+  vtkDataArray* medium = image->GetPointData()->GetArray("InScattering");
+  vtkDataArray* surface = image->GetPointData()->GetArray("SurfaceRadiance");
+  const bool withoutLamp = sameShape(medium) && sameShape(surface);
+  const FloatValues first(withoutLamp ? medium : radiance);
+  const FloatValues second(withoutLamp ? surface : radiance);
+
+  int size[3];
+  image->GetDimensions(size);
+  const std::vector<double> weights = LuminanceWeights(wavelengthsInNm);
+  const std::array<int, 4> extent{ 0, size[0] - 1, 0, size[1] - 1 };
+  const std::size_t slice = static_cast<std::size_t>(size[0]) * size[1] * wavelengthsInNm.size();
+  std::vector<double> luminances;
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (const std::array<int, 4>& square : ExposureSquares(size[0], size[1]))
+    {
+      AppendLuminances(extent, square, first.Data() + k * slice,
+        withoutLamp ? second.Data() + k * slice : nullptr, weights, luminances);
+    }
+  }
+  return ExposureOf(std::move(luminances));
+}
+
+void WriteRgb(vtkImageData* image, const std::vector<double>& wavelengthsInNm, double exposure, vtkImageData* output)
+{
+  const FloatValues radiance(image->GetPointData()->GetArray("Radiance"));
+  const vtkIdType pixels = image->GetNumberOfPoints();
+  vtkNew<vtkUnsignedCharArray> rgb;
+  rgb->SetName("RGB");
+  rgb->SetNumberOfComponents(3);
+  rgb->SetNumberOfTuples(pixels);
+  ToneMap(radiance.Data(), pixels, wavelengthsInNm, exposure, rgb->GetPointer(0));
+  // SetScalars() would remove an array that is active.
+  output->GetPointData()->AddArray(rgb);
+  output->GetPointData()->SetActiveScalars("RGB");
+  AddDoubleArray(output->GetFieldData(), "Exposure", 1, { exposure });
 }
 
 void WriteCamera(vtkCamera* camera, vtkFieldData* field)

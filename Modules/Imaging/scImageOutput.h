@@ -12,14 +12,22 @@
 
 class vtkCamera;
 class vtkFieldData;
+class vtkImageData;
 class vtkPointData;
 
 namespace shadowcones
 {
 
-/// Add every array of an image, and "RGB": its radiance times @p exposure as sRGB, the active scalars.
-void WritePixels(
-  const ScatteringImage& image, const std::vector<double>& wavelengthsInNm, double exposure, vtkPointData* points);
+/// Add every array of an image but "RGB".
+void WritePixels(const ScatteringImage& image, vtkPointData* points);
+/**
+ * The exposure of an image that is there as a whole, from "InScattering" + "SurfaceRadiance" or, where one is missing, from
+ * "Radiance". Slices along z count alike.
+ */
+double FindExposure(vtkImageData* image, const std::vector<double>& wavelengthsInNm);
+/// Add "RGB", the active scalars, of the "Radiance" of an image to @p output, and field data "Exposure".
+void WriteRgb(
+  vtkImageData* image, const std::vector<double>& wavelengthsInNm, double exposure, vtkImageData* output);
 void WriteCamera(vtkCamera* camera, vtkFieldData* field);
 
 } // namespace shadowcones

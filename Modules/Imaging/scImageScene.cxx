@@ -3,13 +3,16 @@
 
 #include "scConeData.h"
 #include "scDensityData.h"
+#include "scFingerprints.h"
 #include "scImageOutput.h"
-#include "scLightData.h"
 #include "scMeshData.h"
+#include "scOccluderNames.h"
 #include "scOptionalBounds.h"
 #include "scVisibilityData.h"
 
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -21,6 +24,40 @@ namespace shadowcones
 namespace
 {
 const char* const modeNames[] = { "BruteForce", "Medium", "Fast", "Guided", "Soft", "Volume" };
+
+/// Keep the names and the fingerprint of the mesh or else of what stands for it, and warn where they were made from others.
+void CompareCasters(const ImageInputs& inputs, ImageScene& scene)
+{
+  const struct
+  {
+    vtkDataObject* Data;
+    const char* Name;
+  } made[] = { { scene.HasCones ? inputs.Cones : nullptr, "The cone set on input port 2" },
+    { scene.Options.Mode == ScatteringMode::Volume ? inputs.Visibility : nullptr,
+      "The visibility volume on input port 3" } };
+  if (inputs.Mesh)
+  {
+    scene.OccluderNames = scene.Mesh.OccluderNames;
+    scene.CastersFingerprints = { CastersFingerprintOf(scene.Mesh) };
+  }
+  for (const auto& input : made)
+  {
+    if (input.Data && !inputs.Mesh)
+    {
+      scene.OccluderNames = ReadOccluderNames(input.Data->GetFieldData());
+      scene.CastersFingerprints = ReadFingerprints(castersFingerprint, input.Data->GetFieldData());
+    }
+    else if (input.Data)
+    {
+      const std::string warning = CompareFingerprints(castersFingerprint, input.Data->GetFieldData(),
+        scene.CastersFingerprints, input.Name, "casters than those of the mesh on input port 0");
+      if (!warning.empty())
+      {
+        scene.Warnings.push_back(warning);
+      }
+    }
+  }
+}
 } // anonymous namespace
 
 bool CheckInputs(const ImageInputs& inputs, ScatteringMode mode, std::string& error)
@@ -30,7 +67,7 @@ bool CheckInputs(const ImageInputs& inputs, ScatteringMode mode, std::string& er
     mode == ScatteringMode::BruteForce || mode == ScatteringMode::Medium || mode == ScatteringMode::Guided;
   const bool needsCones =
     mode == ScatteringMode::Medium || mode == ScatteringMode::Fast || mode == ScatteringMode::Soft;
-  if (!inputs.Light)
+  if (inputs.Lights->GetNumberOfInformationObjects() == 0)
   {
     error = "There is no light: connect a vtkAreaLightSource or another poly data with SetLightConnection().";
   }
@@ -58,13 +95,12 @@ bool CheckInputs(const ImageInputs& inputs, ScatteringMode mode, std::string& er
 bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error)
 {
   const ScatteringMode mode = scene.Options.Mode;
-  if (!ReadLight(inputs.Light, scene.Source, error))
+  if (!ReadLights(inputs.Lights, scene.Lights, error))
   {
     error = "Light (input port 1): " + error;
     return false;
   }
-  const std::size_t wavelengths = scene.Source.Spectrum.size();
-  scene.Wavelengths = ReadWavelengths(inputs.Light, wavelengths);
+  const std::size_t wavelengths = scene.Lights.Wavelengths.size();
 
   if (inputs.Mesh && !ReadTriangles(inputs.Mesh, scene.Mesh, error))
   {
@@ -73,7 +109,7 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
   }
   scene.MeshBounds = MeshBounds(scene.Mesh.View());
   SurfaceReflectance reflectance;
-  if (inputs.Mesh && !ReadReflectance(inputs.Mesh, scene.Mesh.SourceCells, wavelengths, reflectance, error))
+  if (!ReadReflectance(scene.Mesh, wavelengths, scene.Options.Reflectance, reflectance, error))
   {
     return false;
   }
@@ -93,21 +129,29 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
   {
     UndoCosineCorrection(inputs.Cones->GetFieldData(), scene.Cones);
   }
-  if (mode == ScatteringMode::Volume && !ReadVisibilityGrid(inputs.Visibility, scene.Visibility, error))
+  if (scene.HasCones)
+  {
+    AssignCones(inputs.Cones, scene.Lights, scene.Cones);
+  }
+  scene.Visibility.resize(scene.Lights.Lights.size());
+  if (mode == ScatteringMode::Volume &&
+    (!ReadVisibilityGrids(inputs.Visibility, scene.Visibility, error, scene.Warning) ||
+      !AssignGrids(inputs.Visibility->GetFieldData(), scene.Lights, scene.Visibility, error)))
   {
     error = "Visibility volume (input port 3): " + error;
     return false;
   }
-  if (inputs.Density && !ReadDensity(inputs.Density, scene.Density, error))
+  if (inputs.Density && !ReadDensity(inputs.Density, inputs.DensityValues, scene.Density, error))
   {
     error = "Density (input port 4): " + error;
     return false;
   }
+  CompareCasters(inputs, scene);
   scene.Fog.Density = inputs.Density ? &scene.Density : nullptr;
   return true;
 }
 
-bool FindMediumBounds(const double bounds[6], vtkPolyData* light, ImageScene& scene, std::string& error)
+bool FindMediumBounds(const double bounds[6], ImageScene& scene, std::string& error)
 {
   Box& box = scene.Fog.Bounds;
   if (AreUnsetBounds(bounds))
@@ -117,13 +161,13 @@ bool FindMediumBounds(const double bounds[6], vtkPolyData* light, ImageScene& sc
     {
       std::for_each(scene.Cones.begin(), scene.Cones.end(), [&inside](const auto& cone) { inside.Add(cone.Center); });
     }
-    const VisibilityGrid& grid = scene.Visibility;
+    const VisibilityGrid& grid = scene.Visibility.front();
     if (inside.Empty() && !grid.Visibility.empty())
     {
       const std::array<int, 3>& n = grid.Dimensions;
       box = { grid.Origin, grid.Vertex(n[0] - 1, n[1] - 1, n[2] - 1) };
     }
-    else if (!BoundsAround(inside, light, scene.Source, box))
+    else if (!BoundsAround(inside, scene.Lights.Bounds, box))
     {
       error = "MediumBounds are not set, and mesh and light have no bounds to take them from.";
     }

@@ -8,16 +8,20 @@
 
 #include "scCamera.h"
 #include "scDensityGrid.h"
-#include "scLight.h"
 #include "scMedium.h"
 #include "scMeshData.h"
 #include "scScatteringImage.h"
+#include "scSceneLights.h"
 #include "scVisibilityGrid.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
+class vtkDataArray;
+class vtkDataObject;
 class vtkImageData;
+class vtkInformationVector;
 class vtkPolyData;
 
 namespace shadowcones
@@ -26,11 +30,12 @@ namespace shadowcones
 /// What is connected; nullptr where nothing is.
 struct ImageInputs
 {
-  vtkPolyData* Mesh;
-  vtkPolyData* Light;
+  vtkDataObject* Mesh;
+  vtkInformationVector* Lights; ///< the port's connections
   vtkPolyData* Cones;
   vtkImageData* Visibility;
   vtkImageData* Density;
+  vtkDataArray* DensityValues; ///< the one that was chosen; nullptr: the usual one
 };
 
 /// All that is rendered. It is not to be moved: the medium points to the density.
@@ -38,15 +43,18 @@ struct ImageScene
 {
   TriangleMesh Mesh;
   Box MeshBounds;
-  Light Source;
-  std::vector<double> Wavelengths; ///< nm
+  SceneLights Lights;
   bool HasCones = false;
   std::vector<Cone> Cones;
-  VisibilityGrid Visibility; ///< Volume: as read; Soft: to be filled
+  std::vector<VisibilityGrid> Visibility; ///< one a light; Volume: as read; Soft: to be filled
   DensityGrid Density;
   Medium Fog;
   Camera Eye;
   ScatteringOptions Options;
+  std::string Warning; ///< of the inputs; empty where all is well
+  std::vector<std::string> OccluderNames;
+  std::vector<std::uint64_t> CastersFingerprints;
+  std::vector<std::string> Warnings; ///< inputs that do not belong together
 
   ImageScene() = default;
   ImageScene(const ImageScene&) = delete;
@@ -66,7 +74,7 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
  * The box of the medium, from @p bounds or, where these are not set, from what there is in the scene.
  * @return false, with a sentence in @p error.
  */
-bool FindMediumBounds(const double bounds[6], vtkPolyData* light, ImageScene& scene, std::string& error);
+bool FindMediumBounds(const double bounds[6], ImageScene& scene, std::string& error);
 
 } // namespace shadowcones
 

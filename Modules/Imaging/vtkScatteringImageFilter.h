@@ -8,9 +8,9 @@
  * march of Hougs and Day ("Piecewise Constant Conic Sections for Accelerated Volume Density Rendering", section 4.3) to
  * faster estimators:
  *
- * - Guided: unshadowed light, by quadrature, minus what is blocked of it, by occlusion rays inside the cones until
- *   RelativeErrorGoal is met. Unbiased where the cones bound the shadow; without a cone set the whole of every ray is
- *   sampled, which needs no cones and is slower.
+ * - Guided: unshadowed light, by quadrature, times the share of it that is visible, by occlusion rays inside the cones
+ *   until RelativeErrorGoal is met. Black, exactly, where every ray is blocked. Right where the cones bound the shadow;
+ *   without a cone set the whole of every ray is sampled, which needs no cones and is slower.
  * - Volume: the blocked part is read from a visibility volume: one volume, any number of cameras.
  * - Soft: the blocked part from the cone set alone, without the mesh: the base discs of the cones are the occluders, on
  *   a grid of SoftDimensions. Its cones are to be discs (Tuning Soft of vtkConeSetFilter).
@@ -32,7 +32,9 @@
  * - 0, vtkPolyData: the mesh that casts and receives shadows; polygons and strips. Cell data "OccluderId" (int, 1
  *   component, optional), "Reflectance" (1 component or one a wavelength sample, 0..1, optional). It may be empty: the
  *   image then has no surfaces. Fast, Soft and Volume work without it.
- * - 1, vtkPolyData: the light, from vtkAreaLightSource or any mesh of polygons, which emit along their normals. Field
+ * - 1, vtkPolyData: the lights, from vtkAreaLightSource or any mesh of polygons, which emit along their normals; one a
+ *   connection, or a block of a composite. What several lights send adds up; samples are taken for each of them, and
+ *   each has its own cones ("LightId") and its own component of a visibility volume. A lamp hides no other. Field
  *   data "LightWavelengths" (nm, one a wavelength sample) gives "RGB" its colours; without it equal bins from 400 to
  *   700 nm.
  * - 2, vtkPolyData, optional: the cone set of vtkConeSetFilter. Needed by Medium, Fast and Soft; Guided and Volume are
@@ -40,7 +42,8 @@
  * - 3, vtkImageData, optional: the visibility volume of vtkVisibilityVolume, or any image with point data "Visibility"
  *   (1 component, 0..1) at two points or more along every axis. Needed by Volume. Outside it everything is lit.
  * - 4, vtkImageData, optional, used in every mode: the density of the medium, which multiplies SigmaS and SigmaA. Point
- *   data "Density", else the active scalars, else the first array (1 component, 0 and above). Trilinear between its
+ *   data: the array chosen with SetInputArrayToProcess(0, 4, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name), else
+ *   "Density", else the active scalars, else the first array (1 component, 0 and above). Trilinear between its
  *   points, constant along an axis with a single one; where it does not reach there is no medium. Without it the density
  *   is 1.
  *
@@ -48,24 +51,32 @@
  * data:
  * - "Radiance" (float, one component a wavelength sample, W m^-2 sr^-1): InScattering + SurfaceRadiance + the light
  *   itself.
- * - "InScattering" (float, one component a wavelength sample): the medium term alone.
+ * - "InScattering" (float, one component a wavelength sample): the medium term alone, up to the first surface.
  * - "SurfaceRadiance" (float, one component a wavelength sample): of the first surface, as seen through the medium. At
- *   edges, as the light itself, a mean over the pixel; everything else is that of the ray through the pixel's centre.
+ *   edges these two, as the light itself, are means over the pixel; all else is of the ray through its centre.
  * - "Transmittance" (float, one component a wavelength sample, 0..1): of the medium to the first surface, or all
  *   through it.
  * - "Depth" (float, world units): along the ray to the first surface; -1 where there is none.
  * - "RelativeError" (float): one standard error of InScattering over its value, mean over wavelengths. Guided: of the
  *   samples and of the interpolated unshadowed light. BruteForce and Medium: from the differences between light
  *   samples; the steps of the march are not in it; -1 with one light sample. Volume and Soft: -1, not known. Fast: as
- *   BruteForce, without the error of its shadows. 0 where nothing scatters.
+ *   BruteForce, without the error of its shadows. 0 where nothing scatters; 1 where InScattering is 0 because no sample
+ *   saw any light, of which there may be some. Errors of several lights are added as they
+ *   are, since the lights take the same random numbers: each meets RelativeErrorGoal, and so does their sum.
  * - "SampleCount" (int): light samples taken for the medium term; in Volume and Soft places of the grid read.
- * - "RGB" (unsigned char, 3 components, the active scalars): Radiance times Exposure as sRGB; equal energy is white.
+ * - "RGB" (unsigned char, 3 components, the active scalars): Radiance times the exposure as sRGB; equal energy is white,
+ *   and what is negative within its error black.
  *
- * Field data: "Mode" (int), "Seed" (int), "RelativeErrorGoal" (double), "NumberOfOcclusionRays" (vtkIdType; of this
+ * Field data: "LightFingerprint" (unsigned 64-bit, one value a light), "Mode" (int), "Seed" (int),
+ * "RelativeErrorGoal" (double), "NumberOfOcclusionRays" (vtkIdType; of this
  * run and extent: those that filled a visibility volume before are in the volume's field data), "RenderSeconds"
  * (double; the one array that differs from run to run), "CameraPosition", "CameraFocalPoint", "CameraViewUp" (double, 3
  * components), "CameraViewAngle" (double, degrees), "CameraParallelProjection" (int), "CameraParallelScale" (double),
- * "SigmaS", "SigmaA" (double, one component a wavelength sample), "MediumBounds" (double, 6 components).
+ * "SigmaS", "SigmaA" (double, one component a wavelength sample), "MediumBounds" (double, 6 components),
+ * "LightWavelengths" (double, nm, one tuple a wavelength sample), "Exposure" (double; that was used).
+ *
+ * The last image is kept for another exposure: its arrays are those of the output, which costs no memory while that lives
+ * (4 bytes for each wavelength of four arrays and 12 more a pixel: 124 bytes with seven wavelengths).
  *
  * The bytes are the same for any number of threads and for any division into extents.
  *
@@ -81,12 +92,21 @@
 
 #include "ShadowConesImagingModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
+#include "vtkTimeStamp.h" // For what has changed
 
+#include <memory> // For the image that is kept
 #include <string> // For messages
 #include <vector> // For the spectra
 
 class vtkAlgorithmOutput;
 class vtkCamera;
+class vtkDataArray;
+
+namespace shadowcones
+{
+class Warnings;
+struct KeptImage;
+}
 
 class SHADOWCONESIMAGING_EXPORT vtkScatteringImageFilter : public vtkImageAlgorithm
 {
@@ -115,10 +135,14 @@ public:
 
   ///@{
   /**
-   * The light, input port 1. Required.
+   * The light, input port 1. Required. Several lights: one a connection, or a block of a composite, all with the same
+   * wavelengths. Set replaces all of them.
    */
   void SetLightConnection(vtkAlgorithmOutput* light);
-  void SetLightData(vtkDataObject* light); ///< The light as a data object, without a pipeline.
+  void SetLightData(vtkDataObject* light);            ///< The light as a data object, without a pipeline.
+  void AddLightConnection(vtkAlgorithmOutput* light); ///< One more light.
+  void AddLightData(vtkDataObject* light);            ///< One more light as a data object, without a pipeline.
+  void RemoveAllLights();                             ///< No light is connected from here on.
   ///@}
 
   ///@{
@@ -139,7 +163,9 @@ public:
 
   ///@{
   /**
-   * The density of the medium, input port 4. Optional, used in every mode; nullptr: 1 everywhere.
+   * The density of the medium, input port 4. Optional, used in every mode; nullptr: 1 everywhere. Where it has several
+   * arrays, SetInputArrayToProcess(0, 4, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name) chooses; the name "(automatic)"
+   * is no choice.
    */
   void SetDensityConnection(vtkAlgorithmOutput* density);
   void SetDensityData(vtkDataObject* density); ///< The density as a data object, without a pipeline.
@@ -157,7 +183,8 @@ public:
 
   ///@{
   /**
-   * Width and height of the image in pixels. The aspect ratio follows from them. Default: 256, 256. Valid: at least 1.
+   * Width and height of the image in pixels. The aspect ratio follows from them. Default: 256, 256. Valid: at least 1
+   * each, and at most 2^31 - 1 pixels in all.
    */
   vtkSetVector2Macro(Resolution, int);
   /// Width and height of the image, pixels.
@@ -181,8 +208,9 @@ public:
   ///@{
   /**
    * Guided: a pixel takes as many samples as make the "RelativeError" of its medium term about this, 1.5 times at most,
-   * or MaximumSamples. In pixels that are much darker than the unshadowed image it is a share of a tenth of that image's
-   * brightness. Default: 0.01. Valid: 0 and above; 0 takes MaximumSamples in every pixel that a cone reaches.
+   * or MaximumSamples. In pixels that are much darker than what the image shows it is a share of a tenth of that
+   * image's mean brightness. Default: 0.01. Valid: 0 and above; 0 takes MaximumSamples in every pixel that a cone
+   * reaches.
    */
   vtkSetMacro(RelativeErrorGoal, double);
   vtkGetMacro(RelativeErrorGoal, double); ///< Guided: the "RelativeError" of the medium term to reach in each pixel.
@@ -322,7 +350,7 @@ public:
 
   ///@{
   /**
-   * BruteForce, Medium, Fast: fresh stratified light points at every march sample. Default: 16. Valid: at least 1.
+   * BruteForce, Medium, Fast: fresh stratified light points at every march sample. Default: 16. Valid: 1..65536.
    */
   vtkSetMacro(NumberOfLightSamples, int);
   vtkGetMacro(NumberOfLightSamples, int); ///< BruteForce, Medium, Fast: light points at every march sample.
@@ -330,7 +358,7 @@ public:
 
   ///@{
   /**
-   * Stratified light points for a surface. Default: 16. Valid: 0 and above; 0 makes surfaces black.
+   * Stratified light points for a surface. Default: 16. Valid: 0..65536; 0 makes surfaces black.
    */
   vtkSetMacro(NumberOfSurfaceLightSamples, int);
   vtkGetMacro(NumberOfSurfaceLightSamples, int); ///< Light points for a surface.
@@ -338,8 +366,10 @@ public:
 
   ///@{
   /**
-   * Camera rays for surfaces and for the light itself where a pixel sees an edge. Default: 4. Valid: 1 to 1024; 1:
-   * edges are not anti-aliased.
+   * Where the corners of a pixel see other surfaces than its centre, 16 times so many camera rays tell which share of
+   * the pixel each surface covers, and each is looked at along one ray; of more surfaces than twice this number some
+   * are. A thing thinner than 0.7 pixels may slip through between the corners. Default: 4. Valid: 1 to 1024; 1: edges
+   * are not anti-aliased.
    */
   vtkSetMacro(NumberOfEdgeSamples, int);
   vtkGetMacro(NumberOfEdgeSamples, int); ///< Camera rays where a pixel sees an edge.
@@ -374,10 +404,24 @@ public:
 
   ///@{
   /**
-   * "RGB" shows Radiance times this; 1 after that is white. Default: 1. Valid: above 0.
+   * Find the exposure of "RGB" from the image, as vtkToneMapRadiance does: white is the 99th percentile of the luminance of
+   * InScattering + SurfaceRadiance at fixed pixels of the whole image. Where a part of the image is asked for, those pixels
+   * (some 4,096) are rendered too, once for all parts. Changing it renders nothing anew. Default: on.
    */
-  vtkSetMacro(Exposure, double);
-  vtkGetMacro(Exposure, double); ///< "RGB" shows Radiance times this.
+  virtual void SetAutoExposure(vtkTypeBool automatic);
+  vtkGetMacro(AutoExposure, vtkTypeBool); ///< Whether the exposure is found from the image.
+  /// Find the exposure from the image; Exposure is not used.
+  vtkBooleanMacro(AutoExposure, vtkTypeBool); ///< Use Exposure.
+  ///@}
+
+  ///@{
+  /**
+   * "RGB" shows Radiance times this, (W m^-2 sr^-1)^-1; 1 after that is white. Used with AutoExposure off; set to anything
+   * but 1 with AutoExposure on, it is not used, with a warning. Changing it renders nothing anew. Default: 1. Valid: above
+   * 0, finite.
+   */
+  virtual void SetExposure(double exposure);
+  vtkGetMacro(Exposure, double); ///< Exposure by hand. The one that was used is in the output's field data "Exposure".
   ///@}
 
   ///@{
@@ -392,6 +436,11 @@ public:
    * The later of the filter's and the camera's time of change.
    */
   vtkMTimeType GetMTime() override;
+
+  /**
+   * Mark the filter as changed: the image will be rendered anew.
+   */
+  void Modified() override;
 
 protected:
   vtkScatteringImageFilter();
@@ -409,9 +458,16 @@ private:
   struct Scene; // what RequestData hands to Core
 
   bool CheckParameters(std::string& error) const;
+  bool ChooseDensity(vtkImageData* density, vtkDataArray*& values, std::string& error);
   bool ReadScene(vtkInformationVector** inputs, Scene& scene, std::string& error) const;
   void SetOptions(const int extent[6], Scene& scene) const;
   bool Render(Scene& scene);
+  bool IsWhole(const int extent[6]) const;
+  void ChooseExtents(const int extent[6], Scene& scene) const;
+  bool RenderMissing(
+    vtkInformationVector** inputVector, const int extent[6], shadowcones::Warnings& warnings, int& result);
+  void KeepPixels(const Scene& scene, const int extent[6], double seconds);
+  void AddWarnings(const Scene& scene, const int extent[6], shadowcones::Warnings& warnings) const;
 
   vtkCamera* Camera = nullptr;
   int Resolution[2] = { 256, 256 };
@@ -437,8 +493,12 @@ private:
   vtkTypeBool LightVisible = true;
   double Reflectance = 0.5;
   double ConeLength = 0.0;
+  vtkTypeBool AutoExposure = true;
   double Exposure = 1.0;
   int Seed = 1;
+
+  vtkTimeStamp SceneTime; // when a parameter other than the exposure was set
+  std::unique_ptr<shadowcones::KeptImage> Kept;
 };
 
 #endif

@@ -17,9 +17,11 @@
  *
  * Input ports:
  * - 0, vtkPolyData: the cone set of vtkConeSetFilter; point data "Axis" (3 components), "BaseRadius" and "HalfAngle"
- *   are required. Without cones everything is lit.
- * - 1, vtkPolyData: the light, from vtkAreaLightSource or any mesh of polygons, which emit along their normals.
- * - 2, vtkPolyData, required for Exact: the mesh, with cell data "OccluderId" (int, optional); cells with a negative
+ *   are required. A set without cones leaves everything lit. Optional for Exact: with nothing connected rays are sent from
+ *   every point.
+ * - 1, vtkPolyData: the lights, from vtkAreaLightSource or any mesh of polygons, which emit along their normals; one a
+ *   connection, or a block of a composite.
+ * - 2, vtkPolyData or composite data of them, required for Exact: the mesh, with cell data "OccluderId"; cells with a negative
  *   one are receivers and cast no shadow.
  *
  * Output port 0, vtkImageData of Dimensions points over Bounds. Point data:
@@ -29,10 +31,14 @@
  * - "Marked" (unsigned char): 1 where a cone reaches a cell at the point, so that it was asked for; elsewhere 0, with
  *   Visibility 1 and ShadowClass 0. Points behind the light, where it sends nothing, are not marked.
  *
+ * With several lights "Visibility" and "ShadowClass" have one component a light, in the order of connections and
+ * blocks, each light is asked for where its own cones ("LightId") reach, and "Marked" is 1 where those of any light do.
+ *
  * Field data: "BrickParts" (int; 0 where no cell is refined), "BrickDimensions" (int, 3 components: those of the whole
  * volume), and for refined cells "BrickCells" (vtkIdType, ascending; i + (nx - 1) (j + (ny - 1) k) of the whole volume)
  * and "BrickVisibility" (float, (BrickParts + 1)^3 components: the values of the brick's points, i fastest, the cell's
- * own corners among them). "Method", "NumberOfLightSamples", "Seed" (int), "RefinementThreshold" (double),
+ * own corners among them), of several lights one after the other, with "BrickLightId" (int). "LightFingerprint"
+ * (unsigned 64-bit, one value a light). "Method", "NumberOfLightSamples", "Seed" (int), "RefinementThreshold" (double),
  * "NumberOfOcclusionRays" (vtkIdType; of this extent).
  *
  * The bytes are the same for any number of threads and for any division into extents; a brick comes with the extent
@@ -49,7 +55,15 @@
 #include "ShadowConesImagingModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+#include <vector>
+
 class vtkAlgorithmOutput;
+class vtkFieldData;
+
+namespace shadowcones
+{
+struct VisibilityGrid;
+}
 
 class SHADOWCONESIMAGING_EXPORT vtkVisibilityVolume : public vtkImageAlgorithm
 {
@@ -60,10 +74,14 @@ public:
 
   ///@{
   /**
-   * The light, input port 1. Required.
+   * The light, input port 1. Required. Several lights: one a connection, or a block of a composite, all with the same
+   * wavelengths. Set replaces all of them.
    */
   void SetLightConnection(vtkAlgorithmOutput* light);
-  void SetLightData(vtkDataObject* light); ///< The light as a data object, without a pipeline.
+  void SetLightData(vtkDataObject* light);            ///< The light as a data object, without a pipeline.
+  void AddLightConnection(vtkAlgorithmOutput* light); ///< One more light.
+  void AddLightData(vtkDataObject* light);            ///< One more light as a data object, without a pipeline.
+  void RemoveAllLights();                             ///< No light is connected from here on.
   ///@}
 
   ///@{
@@ -103,7 +121,9 @@ public:
   /**
    * The box between the first and the last points, world units: x from, to, y from, to, z from, to.
    * Default: 1, -1, 1, -1, 1, -1, which stands for the joint bounds of mesh (without one: of the cones' bases) and light
-   * (without a Sun), each side enlarged by 10 % about the centre, as vtkScatteringImageFilter has it for its medium.
+   * (without a Sun), each side enlarged by 10 % about the centre, as vtkScatteringImageFilter has it for its medium. To
+   * announce them the filter updates its inputs already when it is asked for information; with inputs that change with time
+   * they are those of the first time, and a warning says where the scene leaves them.
    * Valid: from below to.
    */
   vtkSetVector6Macro(Bounds, double);
@@ -164,11 +184,15 @@ private:
   bool CheckDimensions();
   bool CheckParameters();
   bool ReadInputs(vtkInformationVector** inputs, Scene& scene);
-  bool FindBounds(vtkInformationVector** inputs, Scene& scene);
+  void FindAutomaticBounds(vtkInformationVector** inputs);
+  bool FindBounds(Scene& scene);
+  void Warn(const std::vector<shadowcones::VisibilityGrid>& grids, vtkFieldData* coneField, const Scene& scene,
+    vtkIdType points);
 
   int Method = Exact;
   int Dimensions[3] = { 65, 65, 65 };
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  double AutomaticBounds[6] = {}; // as announced where Bounds are not set; 0: there are none
   int NumberOfLightSamples = 16;
   int BrickParts = 2;
   double RefinementThreshold = 0.5;

@@ -129,21 +129,38 @@ inline vtkSmartPointer<vtkImageData> Constant(const char* name, float value, int
   return image;
 }
 
-/// Errors of a filter and its executive, kept instead of printed.
+/// Errors and warnings of a filter and its executive, kept instead of printed.
 class Messages
 {
 public:
   explicit Messages(vtkAlgorithm* filter)
   {
     this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<Messages*>(self)->Text += static_cast<const char*>(text); });
-    filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long event, void* self, void* text)
+      {
+        auto* messages = static_cast<Messages*>(self);
+        (event == vtkCommand::ErrorEvent ? messages->Text : messages->Warnings) += static_cast<const char*>(text);
+      });
+    for (vtkObject* speaker : { static_cast<vtkObject*>(filter), static_cast<vtkObject*>(filter->GetExecutive()) })
+    {
+      speaker->AddObserver(vtkCommand::ErrorEvent, this->Command);
+      speaker->AddObserver(vtkCommand::WarningEvent, this->Command);
+    }
+    this->Filter = filter;
   }
-  std::string Text;
+  ~Messages()
+  {
+    this->Filter->RemoveObserver(this->Command);
+    this->Filter->GetExecutive()->RemoveObserver(this->Command);
+  }
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
+  std::string Text; ///< of errors
+  std::string Warnings;
 
 private:
+  vtkSmartPointer<vtkAlgorithm> Filter;
   vtkNew<vtkCallbackCommand> Command;
 };
 

@@ -291,12 +291,43 @@ TEST_F(ImageModes, EdgesAreSmoothWhereMoreSamplesAreTaken)
   this->Filter->SetNumberOfEdgeSamples(16);
   const auto smooth = this->Image();
   vtkDataArray* depth = hard->GetPointData()->GetArray("Depth");
+  vtkDataArray* air[2] = { hard->GetPointData()->GetArray("InScattering"),
+    smooth->GetPointData()->GetArray("InScattering") };
   int mixed = 0;
+  int same = 0;
   for (vtkIdType i = 0; i < depth->GetNumberOfTuples(); ++i)
   {
     mixed +=
       depth->GetComponent(i, 0) < 0.0 && smooth->GetPointData()->GetArray("SurfaceRadiance")->GetComponent(i, 0) > 0.0;
+    same += air[0]->GetComponent(i, 0) == air[1]->GetComponent(i, 0);
   }
   EXPECT_GT(mixed, 0) << "a pixel whose centre misses the plate sees its edge";
-  EXPECT_EQ(Error(smooth, hard), 0.0);
+  EXPECT_GT(Error(smooth, hard), 0.0) << "part of its medium term ends at the plate";
+  EXPECT_GT(same, depth->GetNumberOfTuples() / 2) << "away from edges nothing changes";
+}
+
+TEST_F(ImageModes, AMediumTooDenseForTheMarchIsSaid)
+{
+  this->ConnectDisc();
+  this->Filter->SetSigmaA(0.0);
+  this->Filter->SetSigmaS(20.0);
+  this->Filter->SetMaximumDepth(0);
+  this->Filter->SetNumberOfSteps(64);
+  imagetesting::Messages messages(this->Filter);
+  for (const int mode : { vtkScatteringImageFilter::BruteForce, vtkScatteringImageFilter::Medium,
+         vtkScatteringImageFilter::Fast, vtkScatteringImageFilter::Guided })
+  {
+    messages.Warnings.clear();
+    this->Filter->SetMode(mode);
+    this->Image();
+    EXPECT_EQ(messages.Warnings.find("too dense for NumberOfSteps = 64") != std::string::npos,
+      mode != vtkScatteringImageFilter::Guided)
+      << "mode " << mode << ": " << messages.Warnings;
+  }
+  // Another medium, and steps that do for it.
+  messages.Warnings.clear();
+  this->Filter->SetModeToBruteForce();
+  this->Filter->SetSigmaS(0.5);
+  this->Image();
+  EXPECT_EQ(messages.Warnings, "");
 }

@@ -6,6 +6,8 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
@@ -228,19 +230,8 @@ TEST_F(ScatteringImageFilter, ReflectanceComesFromTheMesh)
   EXPECT_NEAR(Sum(this->Image(), "SurfaceRadiance"), 0.5 * half, 1e-5 * half);
 }
 
-TEST_F(ScatteringImageFilter, ExposureBrightensRgbAlone)
-{
-  this->Filter->LightVisibleOff();
-  const auto dim = this->Image();
-  this->Filter->SetExposure(4.0);
-  const auto bright = this->Image();
-  EXPECT_GT(Sum(bright, "RGB"), Sum(dim, "RGB"));
-  EXPECT_EQ(Sum(bright, "Radiance"), Sum(dim, "Radiance"));
-}
-
 TEST_F(ScatteringImageFilter, LightWavelengthsGiveRgbItsColours)
 {
-  this->Filter->SetExposure(100.0);
   this->Light->SetNumberOfWavelengths(2);
   this->Light->Update();
   vtkNew<vtkPolyData> light;
@@ -531,4 +522,57 @@ TEST_F(ScatteringImageFilter, SpectraFillFromTheCommonValue)
   EXPECT_EQ(this->Filter->GetSigmaSSpectrum(6), 0.2);
   this->Filter->SetSigmaS(0.2);
   EXPECT_EQ(this->Filter->GetSigmaSSpectrum(4), 0.2) << "every wavelength again";
+}
+
+TEST_F(ScatteringImageFilter, TheDensityArrayCanBeChosen)
+{
+  // Twice as dense is what twice the coefficients are.
+  this->Filter->SetResolution(5, 4);
+  this->Filter->SetDensityData(Constant("Density", 1.0f));
+  this->Filter->SetSigmaS(0.2);
+  const auto expected = this->Image();
+  const auto density = Constant("Density", 1.0f);
+  shadowcones::AddFloatArray(density->GetPointData(), "Smoke", 1, std::vector<float>(27, 2.0f));
+  shadowcones::AddFloatArray(density->GetCellData(), "Dust", 1, std::vector<float>(8, 3.0f));
+  density->GetPointData()->SetActiveScalars("Smoke");
+  this->Filter->SetDensityData(density);
+  const double sum = Sum(expected, "InScattering");
+  EXPECT_NEAR(Sum(this->Image(), "InScattering"), sum, 1e-5 * sum); // "Density", as without a choice
+  this->Filter->SetSigmaS(0.1);
+  this->Filter->SetInputArrayToProcess(0, 4, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Smoke");
+  EXPECT_NEAR(Sum(this->Image(), "InScattering"), sum, 1e-5 * sum);
+  this->Filter->SetInputArrayToProcess(
+    0, 4, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  EXPECT_NEAR(Sum(this->Image(), "InScattering"), sum, 1e-5 * sum);
+
+  this->Filter->SetInputArrayToProcess(0, 4, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Smok");
+  this->ExpectError("The density on input port 4 has no point array \"Smok\", which SetInputArrayToProcess chooses: it has "
+                    "\"Density\", \"Smoke\".");
+  this->Filter->SetInputArrayToProcess(0, 4, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Dust");
+  this->ExpectError("SetInputArrayToProcess chooses a density that is not point data: run vtkCellDataToPointData first.");
+  this->Filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Smoke");
+  this->ExpectError("SetInputArrayToProcess chooses an array of input port 0: the only one to be chosen is the density's");
+  this->Filter->SetInputArrayToProcess(0, 4, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::TENSORS);
+  this->ExpectError("The density on input port 4 lacks the attribute that SetInputArrayToProcess chooses.");
+  this->Filter->SetInputArrayToProcess(0, 4, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, ""); // no choice
+  this->Filter->SetSigmaS(0.2);
+  EXPECT_NEAR(Sum(this->Image(), "InScattering"), sum, 1e-5 * sum);
+}
+
+TEST_F(ScatteringImageFilter, TheResolutionMayChangeAfterAFault)
+{
+  this->Filter->SetResolution(4, 3);
+  this->Image();
+  this->Filter->SetNumberOfSteps(0);
+  this->ExpectError("NumberOfSteps is 0");
+  for (const int edge : { 6, 2 })
+  {
+    this->Filter->SetResolution(edge, 0);
+    this->ExpectError("both must be at least 1");
+    this->Filter->SetResolution(edge, edge + 1);
+    this->Filter->SetNumberOfSteps(0);
+    this->ExpectError("NumberOfSteps is 0");
+    this->Filter->SetNumberOfSteps(2);
+    EXPECT_EQ(this->Image()->GetNumberOfPoints(), edge * (edge + 1));
+  }
 }

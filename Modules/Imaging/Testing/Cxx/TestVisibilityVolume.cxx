@@ -13,9 +13,13 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
+#include "vtkExtractVOI.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkImageReslice.h"
+#include "vtkImageShrink3D.h"
+#include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -23,6 +27,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLImageDataWriter.h"
 
@@ -49,10 +54,19 @@ public:
       { static_cast<Messages*>(self)->Text += static_cast<const char*>(text); });
     filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
     filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    this->Filter = filter;
   }
+  ~Messages()
+  {
+    this->Filter->RemoveObserver(this->Command);
+    this->Filter->GetExecutive()->RemoveObserver(this->Command);
+  }
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
   std::string Text;
 
 private:
+  vtkSmartPointer<vtkAlgorithm> Filter;
   vtkNew<vtkCallbackCommand> Command;
 };
 
@@ -107,7 +121,7 @@ protected:
   {
     shadowcones::VisibilityGrid grid;
     std::string error;
-    EXPECT_TRUE(shadowcones::ReadVisibilityGrid(volume, grid, error)) << error;
+    EXPECT_TRUE(shadowcones::ReadVisibilityGrid(volume, grid, error, this->Warning)) << error;
     return grid;
   }
   /// Update must fail with a message that holds the text, and leave no volume.
@@ -126,13 +140,35 @@ protected:
     change(volume);
     shadowcones::VisibilityGrid grid;
     std::string error;
-    EXPECT_FALSE(shadowcones::ReadVisibilityGrid(volume, grid, error)) << part;
+    EXPECT_FALSE(shadowcones::ReadVisibilityGrid(volume, grid, error, this->Warning)) << part;
     EXPECT_NE(error.find(part), std::string::npos) << "got: " << error;
   }
 
   vtkNew<vtkAreaLightSource> Light;
   vtkNew<vtkVisibilityVolume> Filter;
+  std::string Warning; ///< of the last volume that was read
 };
+
+/// Every point of an image has the values that the volume has at that place.
+void ExpectPartOf(vtkImageData* part, vtkImageData* volume, vtkIdType points)
+{
+  ASSERT_EQ(part->GetNumberOfPoints(), points);
+  vtkDataArray* values = part->GetPointData()->GetScalars();
+  ASSERT_NE(values, nullptr);
+  vtkDataArray* all = volume->GetPointData()->GetArray("Visibility");
+  int different = 0;
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    double p[3];
+    part->GetPoint(i, p);
+    const vtkIdType there = volume->FindPoint(p);
+    double q[3];
+    volume->GetPoint(std::max<vtkIdType>(there, 0), q);
+    const double away = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    different += there < 0 || away > 1e-9 || std::abs(values->GetComponent(i, 0) - all->GetComponent(there, 0)) > 1e-6;
+  }
+  EXPECT_EQ(different, 0);
+}
 
 void ExpectSameGrids(const shadowcones::VisibilityGrid& a, const shadowcones::VisibilityGrid& b)
 {
@@ -311,6 +347,26 @@ TEST_F(VisibilityVolume, ExtentsBringTheirBricks)
   EXPECT_EQ(cells, whole.BrickCells);
 }
 
+TEST_F(VisibilityVolume, ExactNeedsNoCones)
+{
+  const auto withCones = this->Volume();
+  this->Filter->SetInputConnection(nullptr);
+  Messages messages(this->Filter);
+  const auto without = this->Volume();
+  EXPECT_EQ(messages.Text, "");
+  vtkDataArray* one = withCones->GetPointData()->GetArray("Visibility");
+  vtkDataArray* two = without->GetPointData()->GetArray("Visibility");
+  ASSERT_EQ(one->GetNumberOfTuples(), two->GetNumberOfTuples());
+  EXPECT_LT(one->GetRange()[0], 0.1);
+  for (vtkIdType i = 0; i < one->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_EQ(one->GetComponent(i, 0), two->GetComponent(i, 0)) << i;
+  }
+  this->Filter->SetMethodToSoft();
+  this->Filter->Update();
+  EXPECT_NE(messages.Text.find("There is no cone set."), std::string::npos) << messages.Text;
+}
+
 TEST_F(VisibilityVolume, AnEmptyConeSetLeavesEverythingLit)
 {
   vtkNew<vtkPolyData> none;
@@ -414,5 +470,143 @@ TEST_F(VisibilityVolume, PrintsEveryParameter)
          "NumberOfLightSamples: 16", "BrickParts: 2", "RefinementThreshold: 0.5", "Seed: 1" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
+  }
+}
+
+TEST_F(VisibilityVolume, WhatIsAnnouncedIsDelivered)
+{
+  this->Filter->SetBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
+  this->Filter->SetDimensions(15, 21, 13);
+  this->Filter->UpdateInformation();
+  vtkInformation* info = this->Filter->GetOutputInformation(0);
+  // By hand: plate -0.6..0.6, 0.43, -0.5..0.5 and lamp -0.4..0.4, 2, -0.4..0.4, each side 10 % longer about its middle.
+  const double from[3] = { -0.66, 0.3515, -0.55 };
+  const double to[3] = { 0.66, 2.0785, 0.55 };
+  const int cells[3] = { 14, 20, 12 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_NEAR(info->Get(vtkDataObject::ORIGIN(), axis), from[axis], 1e-7);
+    EXPECT_NEAR(info->Get(vtkDataObject::SPACING(), axis), (to[axis] - from[axis]) / cells[axis], 1e-7);
+    EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), 2 * axis + 1), cells[axis]);
+  }
+  const auto volume = this->Volume();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(volume->GetOrigin()[axis], info->Get(vtkDataObject::ORIGIN(), axis));
+    EXPECT_EQ(volume->GetSpacing()[axis], info->Get(vtkDataObject::SPACING(), axis));
+  }
+  EXPECT_LT(volume->GetPointData()->GetArray("Visibility")->GetRange()[0], 1.0);
+
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputConnection(this->Filter->GetOutputPort());
+  shrink->SetShrinkFactors(2, 2, 2);
+  shrink->AveragingOff();
+  shrink->Update();
+  ExpectPartOf(shrink->GetOutput(), volume, 7 * 10 * 6);
+  vtkNew<vtkImageReslice> reslice;
+  reslice->SetInputConnection(this->Filter->GetOutputPort());
+  reslice->SetInterpolationModeToNearestNeighbor();
+  reslice->Update();
+  ExpectPartOf(reslice->GetOutput(), volume, 15 * 21 * 13);
+  vtkNew<vtkExtractVOI> part;
+  part->SetInputConnection(this->Filter->GetOutputPort());
+  part->SetVOI(3, 9, 4, 20, 2, 11);
+  part->Update();
+  ExpectPartOf(part->GetOutput(), volume, 7 * 17 * 10);
+  // A consumer that asks for parts.
+  int extents[2][6] = { { 0, 14, 0, 9, 0, 12 }, { 0, 14, 10, 20, 0, 12 } };
+  for (const auto& extent : extents)
+  {
+    this->Filter->Modified();
+    this->Filter->UpdateExtent(extent);
+    ExpectPartOf(this->Filter->GetOutput(), volume, 15 * (extent[3] - extent[2] + 1) * 13);
+  }
+}
+
+TEST_F(VisibilityVolume, DimensionsMayChangeAfterAFault)
+{
+  // Larger and smaller ones, behind faults of both kinds: no request of an earlier run may stand.
+  this->Filter->SetDimensions(5, 6, 7);
+  this->Volume();
+  this->Filter->SetNumberOfLightSamples(0);
+  this->ExpectError("NumberOfLightSamples is 0");
+  for (const int edge : { 9, 4 })
+  {
+    this->Filter->SetDimensions(edge, 1, edge);
+    this->ExpectError("each must be at least 2");
+    this->Filter->SetDimensions(edge, edge + 1, edge + 2);
+    this->Filter->SetNumberOfLightSamples(0);
+    this->ExpectError("NumberOfLightSamples is 0");
+    this->Filter->SetNumberOfLightSamples(4);
+    const auto volume = this->Volume();
+    EXPECT_EQ(volume->GetNumberOfPoints(), edge * (edge + 1) * (edge + 2));
+    EXPECT_EQ(volume->GetPointData()->GetNumberOfArrays(), 3);
+  }
+}
+
+TEST_F(VisibilityVolume, BricksCountWhileTheyFitOnly)
+{
+  const auto original = this->Volume();
+  EXPECT_GT(this->Read(original).BrickCells.size(), 0u);
+  EXPECT_EQ(this->Warning, "");
+  const auto expectDropped = [&](const char* changed, const std::function<void(vtkImageData*)>& change)
+  {
+    vtkNew<vtkImageData> edited;
+    edited->DeepCopy(original);
+    change(edited);
+    EXPECT_EQ(this->Read(edited).BrickCells.size(), 0u) << changed;
+    EXPECT_NE(this->Warning.find(std::string("were filled for another ") + changed + " than it has now"), std::string::npos)
+      << this->Warning;
+  };
+  expectDropped("\"Visibility\"",
+    [](vtkImageData* volume) { volume->GetPointData()->GetArray("Visibility")->SetComponent(100, 0, 0.125); });
+  expectDropped("\"Visibility\"", [](vtkImageData* volume) { volume->GetFieldData()->RemoveArray("BrickHash"); });
+  expectDropped("origin or spacing", [](vtkImageData* volume) { volume->SetOrigin(-1.0, -1.0, -1.05); });
+  expectDropped("origin or spacing", [](vtkImageData* volume) { volume->SetSpacing(0.2, 0.1, 0.1); });
+  expectDropped("dimensions",
+    [&](vtkImageData* volume)
+    {
+      vtkNew<vtkExtractVOI> part;
+      part->SetInputData(original);
+      part->SetVOI(0, 14, 0, 20, 0, 11);
+      part->Update();
+      volume->ShallowCopy(part->GetOutput());
+    });
+}
+
+TEST_F(VisibilityVolume, AnImageShowsEditedVisibility)
+{
+  // All light, by hand: no bricks may darken it, and it is the image without any occluder.
+  const auto edited = this->Volume();
+  edited->GetPointData()->GetArray("Visibility")->Fill(1.0);
+  edited->GetPointData()->GetArray("Marked")->Fill(0.0);
+  edited->GetPointData()->GetArray("ShadowClass")->Fill(0.0);
+  vtkNew<vtkScatteringImageFilter> image;
+  image->SetLightConnection(this->Light->GetOutputPort());
+  image->SetVisibilityVolumeData(edited);
+  image->SetModeToVolume();
+  image->SetResolution(9, 7);
+  image->SetMediumBounds(-1.0, 1.0, -1.0, 1.5, -1.1, 1.2);
+  std::string said;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&said);
+  command->SetCallback([](vtkObject*, unsigned long, void* to, void* text)
+    { *static_cast<std::string*>(to) += static_cast<const char*>(text); });
+  image->AddObserver(vtkCommand::WarningEvent, command);
+  image->Update();
+  EXPECT_NE(said.find("bricks of the visibility volume are left out"), std::string::npos) << said;
+  vtkNew<vtkImageData> lit;
+  lit->DeepCopy(image->GetOutput());
+  vtkNew<vtkPolyData> nothing;
+  image->SetInputData(nothing);
+  image->SetVisibilityVolumeData(nullptr);
+  image->SetModeToGuided();
+  image->Update();
+  vtkDataArray* shown = lit->GetPointData()->GetArray("InScattering");
+  vtkDataArray* expected = image->GetOutput()->GetPointData()->GetArray("InScattering");
+  ASSERT_GT(expected->GetRange(0)[1], 0.0);
+  for (vtkIdType i = 0; i < shown->GetNumberOfTuples(); ++i)
+  {
+    EXPECT_NEAR(shown->GetComponent(i, 0), expected->GetComponent(i, 0), 1e-3 * expected->GetRange(0)[1]) << i;
   }
 }

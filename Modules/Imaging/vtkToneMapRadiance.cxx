@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkToneMapRadiance.h"
+
+#include "scFilterRun.h"
+#include "scImageOutput.h"
+#include "scLightData.h"
+#include "scWarnings.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <cmath>
+#include <exception>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkToneMapRadiance);
+
+int vtkToneMapRadiance::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  shadowcones::OfferTimes(this, inputVector, outputVector);
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_UNSIGNED_CHAR, 3);
+  return 1;
+}
+
+int vtkToneMapRadiance::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The executive has asked for the same extent; the exposure is that of the whole image.
+  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
+  if (this->AutoExposure && inInfo->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+      inInfo->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+  }
+  else
+  {
+    vtkInformation* outInfo = outputVector->GetInformationObject(0);
+    inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+      outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkToneMapRadiance::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const shadowcones::FilterRun run(this, request, inputVector, outputVector);
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkImageData* input = vtkImageData::GetData(inputVector[0]);
+  vtkImageData* output = vtkImageData::GetData(outInfo);
+  shadowcones::EmptyOutput(output);
+  std::string error;
+  if (this->AutoExposure && !run.AreInputsWhole(error))
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  if (!(this->Exposure > 0.0) || !std::isfinite(this->Exposure))
+  {
+    vtkErrorMacro("Exposure is " << this->Exposure << ": it must be above 0 and finite.");
+    return 0;
+  }
+  int extent[6];
+  outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  const vtkIdType points = input ? input->GetNumberOfPoints() : 0;
+  if (points == 0 || extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5])
+  {
+    return 1; // nothing to show
+  }
+  vtkDataArray* radiance = input->GetPointData()->GetArray("Radiance");
+  if (!radiance || radiance->GetNumberOfTuples() != points)
+  {
+    vtkErrorMacro("The image has no point array \"Radiance\" with one tuple for each of its "
+      << points << " points: connect vtkScatteringImageFilter, or name the array so.");
+    return 0;
+  }
+
+  const std::vector<double> wavelengths = shadowcones::ReadWavelengths(
+    input, static_cast<std::size_t>(radiance->GetNumberOfComponents()));
+  double exposure = this->Exposure;
+  try
+  {
+    if (this->AutoExposure)
+    {
+      exposure = shadowcones::FindExposure(input, wavelengths);
+    }
+    output->ShallowCopy(input);
+    shadowcones::WriteRgb(input, wavelengths, exposure, output);
+  }
+  catch (const std::exception& exception)
+  {
+    vtkErrorMacro("Tone mapping failed: " << exception.what() << ".");
+    return 0;
+  }
+  output->Crop(extent);
+  shadowcones::Warnings warnings;
+  warnings.Add(this->AutoExposure ? shadowcones::UnusedExposure(this->Exposure) : std::string());
+  warnings.Say(this);
+  return 1;
+}
+
+void vtkToneMapRadiance::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "AutoExposure: " << (this->AutoExposure ? "On" : "Off") << "\n";
+  os << indent << "Exposure: " << this->Exposure << "\n";
+}
