@@ -191,6 +191,7 @@ std::string Describe(const ConeParameters& parameters)
 VectorsOfScene MakeVectors(const BenchmarkScene& scene, const ConeParameters& parameters)
 {
   vtkNew<vtkShadowVectorFilter> filter;
+  filter->SetToPaper();
   filter->SetInputData(scene.Occluders);
   filter->SetLightData(scene.LightData);
   filter->SetTargetNumberOfVectors(parameters.Vectors);
@@ -209,6 +210,7 @@ VectorsOfScene MakeVectors(const BenchmarkScene& scene, const ConeParameters& pa
 ConesOfScene MakeCones(const VectorsOfScene& vectors, const ConeParameters& parameters)
 {
   vtkNew<vtkConeSetFilter> filter;
+  filter->SetToPaper();
   filter->SetInputData(vectors.Vectors);
   filter->SetPhotonPathData(vectors.Paths);
   filter->SetNumberOfNeighbors(parameters.P1);

@@ -186,7 +186,7 @@ void TraceTruth(const PixelRay& ray, const OccluderScene& room, const Integrand&
       const Vector3 y = integrand.LightPoint(radius, 2.0 * pi * random.Next());
       const Vector3 x = ray.Point(t);
       const double distance = Length(y - x);
-      if (room.Occluded(x, (1.0 / distance) * (y - x), room.Epsilon(), distance - room.Epsilon()))
+      if (room.Occluded(x, (1.0 / distance) * (y - x), 0.0, distance))
       {
         blocked += ray.Stretch(t) * integrand.At(x, t - ray.Begin, y) / samplesPerCell;
       }

@@ -2,6 +2,7 @@
 // What proving a cone set costs: a line for the fitted cones, for the same after the proof, and for cones around parts of the
 // occluders alone. Recall and the share of the cones' volume in shadow are by samples drawn evenly in the room.
 #include "BenchmarkScene.h"
+#include "ConeAdversary.h"
 
 #include "scConeAccuracy.h"
 #include "scConeProof.h"
@@ -39,7 +40,17 @@ void PrintRow(const char* name, const BenchmarkScene& scene, const SampledRoom& 
   std::fflush(stdout);
 }
 
-void Measure(const BenchmarkScene& scene, const ConeParameters& parameters, int points)
+/// Look for a point in shadow and outside every cone.
+void SearchLeaks(const BenchmarkScene& scene, const std::vector<Cone>& cones, long long tries)
+{
+  const double start = Now();
+  const AdversaryResult result = ConeAdversary(scene.Mesh.View(), scene.Source, cones).Search(tries, 1);
+  std::printf("  %lld tries: %lld points inside cones, %lld outside looked at by rays, %lld leaks; %.0f s\n", tries,
+    result.Inside, result.Outside, result.Leaks, Now() - start);
+  std::fflush(stdout);
+}
+
+void Measure(const BenchmarkScene& scene, const ConeParameters& parameters, int points, long long tries)
 {
   SampledRoom room;
   DrawSamplePoints(RoomBounds(), points, 20240, {}, room.Points);
@@ -54,8 +65,12 @@ void Measure(const BenchmarkScene& scene, const ConeParameters& parameters, int 
   {
     ConeProof proof;
     const double begin = Now();
-    ProveConeSet(scene.Mesh.View(), scene.Source, withFitted ? fitted.Cones : std::vector<Cone>(), options, {}, proof);
+    ProveConeSet(scene.Mesh.View(), { scene.Source }, withFitted ? fitted.Cones : std::vector<Cone>(), options, {}, proof);
     PrintRow(withFitted ? "proved" : "clusters", scene, room, proof, Now() - begin);
+    if (tries > 0)
+    {
+      SearchLeaks(scene, proof.Cones, tries);
+    }
   }
 }
 } // anonymous namespace
@@ -66,21 +81,23 @@ int main(int argc, char** argv)
   std::string set = "conservative";
   vtkIdType vectors = 5800;
   int points = 50000;
+  long long tries = 0;
   CLI::App app{ "What proving a cone set costs" };
   app.add_option("--scene", scenes, "chair, tree, blob, or mesh files, which are scaled to a height of 3")->capture_default_str();
   app.add_option("--set", set, "paper, bounds, conservative")->capture_default_str();
   app.add_option("--vectors", vectors, "shadow vectors asked for")->capture_default_str();
   app.add_option("--points", points, "sample points in the room")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--tries", tries, "search so often for a point in shadow and outside every cone")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try
   {
-    std::printf("%-12s %9s %-10s %6s %6s %6s %8s %8s %8s %8s %7s %8s\n", "scene", "triangles", "set", "cones", "grown",
-      "added", "parts", "recall", "shadow", "seconds", "proved", "check s");
+    std::printf("%-12s %9s %-10s %6s %6s %6s %8s %8s %8s %8s %7s %8s %6s\n", "scene", "triangles", "set", "cones", "grown",
+      "added", "parts", "recall", "shadow", "seconds", "proved", "check s", "volume");
     for (const std::string& name : scenes)
     {
       ConeParameters parameters = NamedParameters(set);
       parameters.Vectors = vectors;
-      Measure(LoadBenchmarkScene(name), parameters, points);
+      Measure(LoadBenchmarkScene(name), parameters, points, tries);
     }
   }
   catch (const std::exception& exception)

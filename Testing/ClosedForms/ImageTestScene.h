@@ -50,6 +50,7 @@ struct ImageTestScene
     this->Options.NumberOfSurfaceLightSamples = 0;
     this->Options.RelativeErrorGoal = 1e-3;
     this->Options.MaximumSamples = 1 << 16;
+    this->Options.NumberOfEdgeSamples = 1; // closed forms and references look along the centres of the pixels
   }
   void SetSize(int width, int height)
   {

@@ -198,10 +198,12 @@ TEST(FilterForms, FurnaceOfAllModes)
   vtkNew<vtkLabelOccluders> occluders;
   occluders->SetInputData(ToPolyData(mesh));
   vtkNew<vtkShadowVectorFilter> vectors;
+  vectors->SetToPaper();
   vectors->SetInputConnection(occluders->GetOutputPort());
   vectors->SetLightConnection(light->GetOutputPort());
   vectors->SetTargetNumberOfVectors(500);
   vtkNew<vtkConeSetFilter> cones;
+  cones->SetToPaper();
   cones->SetInputConnection(vectors->GetOutputPort());
   Picture picture(nullptr, light->GetOutputPort(), 6);
   picture.Filter->SetInputConnection(occluders->GetOutputPort());

@@ -64,10 +64,12 @@ Volumes MeasuredVolumes(const TestMesh& mesh, vtkAreaLightSource* light, double 
   vtkNew<vtkLabelOccluders> occluders;
   occluders->SetInputData(data);
   vtkNew<vtkShadowVectorFilter> vectors;
+  vectors->SetToPaper();
   vectors->SetInputConnection(occluders->GetOutputPort());
   vectors->SetLightConnection(light->GetOutputPort());
   vectors->SetTargetNumberOfVectors(20000);
   vtkNew<vtkConeSetFilter> cones;
+  cones->SetToPaper();
   cones->SetInputConnection(vectors->GetOutputPort(0));
   cones->SetNumberOfNeighbors(10000);
   cones->SetPointsPerRing(100);

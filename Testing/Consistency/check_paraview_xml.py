@@ -26,6 +26,12 @@ def property_faults(item, instance):
         return
     if item.find("Documentation") is None or not item.findtext("Documentation").strip():
         yield "has no documentation"
+    if command == "SetInputArrayToProcess":
+        # Index, port, connection, association and name: no getter has them.
+        given = item.get("default_values", "").split(maxsplit=4)
+        if item.get("number_of_elements") != "5" or not 0 <= int(given[1]) < instance.GetNumberOfInputPorts():
+            yield "an array is chosen by 5 values, the second an input port"
+        return
     if item.get("repeat_command") == "1":
         if item.get("default_values"):
             yield "a list has no default"

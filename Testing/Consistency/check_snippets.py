@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python of the first pages runs as printed, on the chair, and gives shadow vectors, cones and an image."""
+"""The Python of the first pages runs as printed, on the chair, and gives shadow vectors, cones and a well exposed image."""
 
 import os
 import re
 import shutil
 import tempfile
 
+import numpy as np
 import sourcetree
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOGeometry import vtkOBJWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -16,8 +18,25 @@ PAGES = ("README.md", "Documentation/1-getting-started.md")
 
 def snippets(root, page):
     """The page's Python; only the image is made small."""
-    return [block.replace("256, 256", "16, 16")
+    return [block.replace("256, 256", "48, 48")
             for block in re.findall(r"```python\n(.*?)```", sourcetree.text(root, page), re.DOTALL)]
+
+
+def exposure_fault(colours):
+    """What a person would say of the picture's exposure, or None."""
+    if colours is None:
+        return "there is no picture"
+    bytes_ = vtk_to_numpy(colours)
+    grey = bytes_ @ np.array([0.2126, 0.7152, 0.0722])
+    lit = grey[grey > 8]
+    if lit.size < 0.2 * grey.size:
+        return f"only {lit.size} of {grey.size} pixels are lit"
+    if not 64 <= np.median(lit) <= 190:
+        return f"lit pixels have a median of {np.median(lit):.0f} of 255, which is no mid grey"
+    clipped = (bytes_ == 255).any(axis=1).mean()
+    if clipped > 0.1:
+        return f"{clipped:.0%} of the pixels are burnt out"
+    return None
 
 
 def faults(root):
@@ -43,9 +62,9 @@ def faults(root):
                 for name in ("vectors", "cones", "image"):
                     if names[name].GetOutput().GetNumberOfPoints() == 0:
                         yield f"{page}: snippet {number}: {name} is empty"
-                colours = names["image"].GetOutput().GetPointData().GetArray("RGB")
-                if colours is None or not 0 < colours.GetRange(0)[1] < 256:
-                    yield f"{page}: snippet {number}: the image is black"
+                fault = exposure_fault(names["image"].GetOutput().GetPointData().GetArray("RGB"))
+                if fault:
+                    yield f"{page}: snippet {number}: {fault}"
     finally:
         os.chdir(back)
         shutil.rmtree(folder)

@@ -18,8 +18,11 @@ import check_licence
 import check_links
 import check_messages
 import check_paths
+import check_presets
 import check_rooms
+import check_snippets
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
 
 LICENCE = "// SPDX-License-Identifier: BSD-3-Clause\n"
 CMAKE = "# SPDX-License-Identifier: BSD-3-Clause\n"
@@ -179,6 +182,26 @@ class TestChecks(unittest.TestCase):
         self.assertEqual(self.faults(check_messages, sound), [])
         self.assertEqual(len(self.faults(check_messages, {**sound, page: "| Amount is *x*: lower it. | do |\n"})), 2)
         self.assertEqual(len(self.faults(check_messages, {source: LICENCE + words})), 2)
+
+    def test_presets(self):
+        presets = '{"configurePresets": [{"name": "all"}, {"name": "small", "inherits": "all", "cacheVariables": %s}]}'
+        page = "## Other systems\n```sh\ncmake --preset small\n```\nOr cmake --preset all\n"
+        sound = {"CMakePresets.json": presets % '{"SHADOWCONES_BUILD_TESTING": "OFF"}',
+                 "Documentation/1-getting-started.md": page}
+        self.assertEqual(self.faults(check_presets, sound), [])
+        self.assertEqual(len(self.faults(check_presets, {**sound, "CMakePresets.json": presets % "{}"})), 1)
+        self.assertEqual(len(self.faults(check_presets, {**sound, "CHANGELOG.md": "`vtkThing` --preset tiny"})), 1)
+
+    def test_exposure(self):
+        def fault(values):
+            return check_snippets.exposure_fault(numpy_to_vtk(np.repeat(values, 3).reshape(-1, 3).astype(np.uint8), deep=True))
+
+        sound = np.concatenate((np.zeros(40), np.linspace(20, 255, 60)))
+        self.assertIsNone(fault(sound))
+        self.assertIn("mid grey", fault(0.2 * sound))
+        self.assertIn("burnt out", fault(np.minimum(1.3 * sound, 255)))
+        self.assertIn("are lit", fault(np.where(np.arange(100) < 90, 0, 100)))
+        self.assertIn("no picture", check_snippets.exposure_fault(None))
 
     def test_data(self):
         made = {"points": np.array([0.0, 1.0], dtype=np.float32), "offsets": np.array([0, 3])}

@@ -12,11 +12,13 @@
 #include "vtkScatteringImageFilter.h"
 #include "vtkShadowVectorFilter.h"
 #include "vtkShadowVolume.h"
+#include "vtkToneMapRadiance.h"
 #include "vtkVisibilityVolume.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
@@ -68,6 +70,7 @@ vtkPolyData* Vectors(vtkIdType target, int output)
   if (!data)
   {
     vtkNew<vtkShadowVectorFilter> filter;
+    filter->SetToPaper();
     filter->SetInputData(Room());
     filter->SetLightData(Lamp());
     filter->SetTargetNumberOfVectors(target);
@@ -76,10 +79,72 @@ vtkPolyData* Vectors(vtkIdType target, int output)
   return data;
 }
 
+vtkPolyData* Cones();
+
+/// Two lamps as blocks of one input: that of the room, and a panel beside it.
+vtkSmartPointer<vtkMultiBlockDataSet> TwoLamps()
+{
+  vtkNew<vtkAreaLightSource> panel;
+  panel->SetShapeToRectangle();
+  panel->SetCenter(1.5, 5.3, -0.4);
+  panel->SetNormal(-0.2, -1.0, 0.0);
+  panel->SetWidth(0.8);
+  panel->SetHeight(0.3);
+  panel->SetRadiance(40.0);
+  auto lamps = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  lamps->SetBlock(0, Lamp());
+  lamps->SetBlock(1, Take(panel));
+  return lamps;
+}
+
+/// Shadow vectors (output 0) and photon paths (output 1) of two lamps in the room.
+vtkPolyData* VectorsOfTwo(int output)
+{
+  static const vtkSmartPointer<vtkShadowVectorFilter> made = [] {
+    auto filter = vtkSmartPointer<vtkShadowVectorFilter>::New();
+    filter->SetInputData(Room());
+    filter->SetLightData(TwoLamps());
+    filter->SetTargetNumberOfVectors(3000);
+    filter->Update();
+    return filter;
+  }();
+  return made->GetOutput(output);
+}
+
+vtkPolyData* ConesOfTwo()
+{
+  static const vtkSmartPointer<vtkPolyData> cones = [] {
+    vtkNew<vtkConeSetFilter> filter;
+    filter->SetInputData(VectorsOfTwo(0));
+    filter->SetOverlap(true);
+    filter->SetExpansionToLightGeometry();
+    return Take(filter);
+  }();
+  return cones;
+}
+
+/// The same with two lamps and their cones, and what was made from them.
+Setting OfTwoLamps(Setting setting)
+{
+  for (auto& [port, data] : setting.Inputs)
+  {
+    if (data == Lamp())
+    {
+      data = TwoLamps();
+    }
+    else if (data == Cones())
+    {
+      data = ConesOfTwo();
+    }
+  }
+  return setting;
+}
+
 vtkPolyData* Cones()
 {
   static const vtkSmartPointer<vtkPolyData> cones = [] {
     vtkNew<vtkConeSetFilter> filter;
+    filter->SetToPaper();
     filter->SetInputData(Vectors(3000, 0));
     filter->SetOverlap(true);
     filter->SetExpansionToLightGeometry();
@@ -130,6 +195,7 @@ Setting LabelOccluders(Size size)
 Setting ShadowVectors(Size size, bool target, bool hitPoint)
 {
   auto filter = vtkSmartPointer<vtkShadowVectorFilter>::New();
+  filter->SetToPaper();
   filter->SetStorage(hitPoint ? vtkShadowVectorFilter::HIT_POINT : vtkShadowVectorFilter::BACK_SIDE);
   const vtkIdType count = size == Size::Small ? 40000 : 1000000;
   filter->SetNumberOfPhotons(count);
@@ -140,6 +206,7 @@ Setting ShadowVectors(Size size, bool target, bool hitPoint)
 Setting ConeSet(Size size, bool overlap, bool paths)
 {
   auto filter = vtkSmartPointer<vtkConeSetFilter>::New();
+  filter->SetToPaper();
   filter->SetOverlap(overlap);
   const vtkIdType count = size == Size::Small ? 3000 : 60000;
   Setting setting{ filter, { { 0, Vectors(count, 0) } } };
@@ -154,6 +221,7 @@ Setting ConeSet(Size size, bool overlap, bool paths)
 Setting ConeSetTuned(Size size, int tuning)
 {
   auto filter = vtkSmartPointer<vtkConeSetFilter>::New();
+  filter->SetToPaper();
   filter->SetTuning(tuning);
   const vtkIdType count = size == Size::Small ? 500 : 60000;
   return { filter, { { 0, Vectors(count, 0) }, { 1, Vectors(count, 1) } } };
@@ -277,6 +345,21 @@ Setting ScatteringImage(Size size, int mode, bool inFog = false)
   return setting;
 }
 
+Setting ToneMap(Size)
+{
+  static const vtkSmartPointer<vtkImageData> image = []
+  {
+    Setting setting = ScatteringImage(Size::Small, vtkScatteringImageFilter::Fast);
+    setting.Connect();
+    setting.Filter->Update();
+    auto copy = vtkSmartPointer<vtkImageData>::New();
+    copy->DeepCopy(setting.Filter->GetOutputDataObject(0));
+    copy->GetPointData()->RemoveArray("RGB");
+    return copy;
+  }();
+  return { vtkSmartPointer<vtkToneMapRadiance>::New(), { { 0, image } } };
+}
+
 } // namespace
 
 void Setting::Connect()
@@ -313,6 +396,22 @@ const std::vector<Case>& AllCases()
     { "ScatteringSoft", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Soft); } },
     { "ScatteringVolume", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Volume); } },
     { "ScatteringGuidedFog", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Guided, true); } },
+    { "ShadowVectorsOfTwoLamps", [](Size size) { return OfTwoLamps(ShadowVectors(size, true, true)); } },
+    { "ConeSetOfTwoLamps",
+      [](Size)
+      {
+        return Setting{ vtkSmartPointer<vtkConeSetFilter>::New(), { { 0, VectorsOfTwo(0) }, { 1, VectorsOfTwo(1) } } };
+      },
+      false },
+    { "ConeSetProbeOfTwoLamps",
+      [](Size size) { return OfTwoLamps(ConeSetProbe(size, vtkConeSetProbe::EXACT)); }, false, false },
+    { "VisibilityVolumeOfTwoLamps",
+      [](Size size) { return OfTwoLamps(VisibilityVolume(size, vtkVisibilityVolume::Exact)); }, false },
+    { "ScatteringGuidedOfTwoLamps",
+      [](Size size) { return OfTwoLamps(ScatteringImage(size, vtkScatteringImageFilter::Guided)); } },
+    { "ScatteringSoftOfTwoLamps",
+      [](Size size) { return OfTwoLamps(ScatteringImage(size, vtkScatteringImageFilter::Soft)); }, false },
+    { "ToneMapRadiance", ToneMap, false },
     { "ScatteringVolumeFog", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Volume, true); } },
   };
   return cases;

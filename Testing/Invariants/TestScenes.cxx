@@ -17,6 +17,7 @@
 #include "vtkCleanPolyData.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkOBJReader.h"
 #include "vtkRenderer.h"
 
@@ -37,6 +38,8 @@ class Chain
 public:
   Chain(vtkPolyData* mesh, vtkPolyData* light, vtkIdType vectors)
   {
+    this->Vectors->SetToPaper();
+    this->Cones->SetToPaper();
     this->Labels->SetInputData(mesh);
     this->Vectors->SetInputConnection(this->Labels->GetOutputPort());
     this->Vectors->SetLightData(light);
@@ -116,11 +119,13 @@ vtkSmartPointer<vtkPolyData> LampOver(vtkPolyData* mesh)
   return light->GetOutput();
 }
 
-/// The chain works on the mesh, and most of its vectors find a cone.
+/// The chain works on the mesh, and most of its vectors find a cone; some of very many pieces may go without.
 void ExpectCones(vtkPolyData* mesh)
 {
   Chain chain(mesh, LampOver(mesh), 5000);
-  EXPECT_EQ(chain.Said, "");
+  EXPECT_EQ(chain.Labels->GetOutput()->GetFieldData()->GetArray("NumberOfOccluders")->GetComponent(0, 0) > 1000.0,
+    !chain.Said.empty())
+    << chain.Said;
   vtkPolyData* vectors = chain.Vectors->GetOutput();
   EXPECT_GE(vectors->GetNumberOfPoints(), 5000);
   vtkPolyData* cones = chain.Cones->GetOutput();
@@ -319,9 +324,17 @@ TEST(Scenes, ASunWorks)
   const double half = 0.5 * 0.533 * std::acos(-1.0) / 180.0;
   EXPECT_LT(angles[1], half * 1.5); // around their mean
   EXPECT_GT(angles[1], half * 0.8);
-  const double* inner = chain.Cones->GetOutput()->GetPointData()->GetArray("InnerHalfAngle")->GetRange();
-  EXPECT_NEAR(inner[0], -half, 1e-6);
-  EXPECT_NEAR(inner[1], -half, 1e-6);
+  // The umbra of a disc ends where the far rim of the sun, seen from the cone's axis, no longer hides behind it.
+  double way[3] = { 0.3, -1.0, 0.2 };
+  vtkMath::Normalize(way);
+  for (vtkIdType cone = 0; cone < chain.Cones->GetOutput()->GetNumberOfPoints(); ++cone)
+  {
+    const double axis[3] = { chain.Cone("Axis", cone, 0), chain.Cone("Axis", cone, 1), chain.Cone("Axis", cone, 2) };
+    double across[3];
+    vtkMath::Cross(way, axis, across);
+    const double turn = std::asin(vtkMath::Norm(across));
+    EXPECT_NEAR(chain.Cone("InnerHalfAngle", cone), -(half + turn), 2e-6) << "cone " << cone;
+  }
 }
 
 TEST(Scenes, EveryMeshOfDataHasCones)

@@ -451,9 +451,11 @@ int ReferenceScene::Build(int begin, int end)
 }
 
 //------------------------------------------------------------------------------
-double ReferenceScene::Search(const Vector3& origin, const Vector3& direction, double tMin, double tMax, bool any) const
+double ReferenceScene::Search(
+  const Vector3& origin, const Vector3& direction, double tMin, double tMax, bool any, int& found) const
 {
   double nearest = Infinity;
+  found = -1;
   if (this->Nodes.empty())
   {
     return nearest;
@@ -483,6 +485,7 @@ double ReferenceScene::Search(const Vector3& origin, const Vector3& direction, d
       if (t > tMin && t < tMax && t < nearest)
       {
         nearest = t;
+        found = triangle;
         if (any)
         {
           return nearest;
@@ -494,15 +497,25 @@ double ReferenceScene::Search(const Vector3& origin, const Vector3& direction, d
 }
 
 //------------------------------------------------------------------------------
-double ReferenceScene::Nearest(const Vector3& origin, const Vector3& direction, double tMin, double tMax) const
+double ReferenceScene::Nearest(
+  const Vector3& origin, const Vector3& direction, double tMin, double tMax, Vector3* normal) const
 {
-  return this->Search(origin, direction, tMin, tMax, false);
+  int found = -1;
+  const double t = this->Search(origin, direction, tMin, tMax, false, found);
+  if (normal && found >= 0)
+  {
+    const auto& triangle = this->Triangles[found];
+    const Vector3 cross = Cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    *normal = ((Dot(cross, direction) > 0.0 ? -1.0 : 1.0) / Length(cross)) * cross;
+  }
+  return t;
 }
 
 //------------------------------------------------------------------------------
 bool ReferenceScene::Blocked(const Vector3& origin, const Vector3& direction, double tMin, double tMax) const
 {
-  return this->Search(origin, direction, tMin, tMax, true) < Infinity;
+  int found = -1;
+  return this->Search(origin, direction, tMin, tMax, true, found) < Infinity;
 }
 
 //------------------------------------------------------------------------------
@@ -557,6 +570,172 @@ double ReferencePhaseFunction(const PhaseFunction& phase, double cosine)
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+/// Trilinear between the points of a grid, 0 outside; constant along an axis with a single point.
+double DensityAt(const DensityGrid& grid, const Vector3& x)
+{
+  const Vector3 s = x - grid.Origin;
+  const Vector3 cross[3] = { Cross(grid.Axes[1], grid.Axes[2]), Cross(grid.Axes[2], grid.Axes[0]),
+    Cross(grid.Axes[0], grid.Axes[1]) };
+  const double volume = Dot(grid.Axes[0], cross[0]);
+  int low[3];
+  double share[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int last = grid.Dimensions[axis] - 1;
+    const double place = last > 0 ? Dot(cross[axis], s) / volume : 0.0;
+    if (!(place >= -1e-9 && place <= last + 1e-9))
+    {
+      return 0.0;
+    }
+    low[axis] = std::clamp(static_cast<int>(std::floor(place)), 0, std::max(last - 1, 0));
+    share[axis] = place - low[axis];
+  }
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double weight = 1.0;
+    std::size_t index = 0;
+    for (int axis = 2; axis >= 0; --axis)
+    {
+      const int up = corner >> axis & 1;
+      weight *= up ? share[axis] : 1.0 - share[axis];
+      index = index * grid.Dimensions[axis] + std::min(low[axis] + up, grid.Dimensions[axis] - 1);
+    }
+    sum += weight * static_cast<double>(grid.Values[index]);
+  }
+  return sum;
+}
+
+double SmallestStep(const DensityGrid& grid)
+{
+  return std::min({ Length(grid.Axes[0]), Length(grid.Axes[1]), Length(grid.Axes[2]) });
+}
+
+/// What a pixel's centre looks along.
+void CameraRay(const Camera& camera, int i, int j, int width, int height, Vector3& origin, Vector3& direction)
+{
+  const double right = ((i + 0.5) / width * 2.0 - 1.0) * camera.HalfHeight * width / height;
+  const double up = ((j + 0.5) / height * 2.0 - 1.0) * camera.HalfHeight;
+  const Vector3 aside = right * camera.Right + up * camera.Up;
+  origin = camera.Parallel ? camera.Position + aside : camera.Position;
+  direction = camera.Parallel ? camera.Forward : camera.Forward + aside;
+  direction = (1.0 / Length(direction)) * direction;
+}
+
+/// Mean and standard error of independent estimates.
+ReferenceEstimate Summarise(const std::vector<std::vector<double>>& estimates)
+{
+  const auto count = static_cast<double>(estimates.size());
+  ReferenceEstimate result;
+  for (std::size_t k = 0; k < estimates[0].size(); ++k)
+  {
+    double mean = 0.0;
+    double squares = 0.0;
+    for (const auto& estimate : estimates)
+    {
+      mean += estimate[k] / count;
+    }
+    for (const auto& estimate : estimates)
+    {
+      squares += (estimate[k] - mean) * (estimate[k] - mean);
+    }
+    result.Mean.push_back(mean);
+    result.StandardError.push_back(std::sqrt(squares / (count * (count - 1.0))));
+  }
+  return result;
+}
+
+/// The far end of a way to a light: infinitely far ones leave every medium before.
+Vector3 EndOf(const Vector3& from, const RandomLight::Draw& draw, const Medium& medium)
+{
+  const double reach = Length(medium.Bounds.Max - medium.Bounds.Min) + Length(medium.Bounds.Min - from);
+  return from + std::min(draw.Distance, reach) * draw.Direction;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+double ReferenceDepth(const Medium& medium, const Vector3& a, const Vector3& b)
+{
+  const double length = Length(b - a);
+  double begin = 0.0;
+  double end = length;
+  if (!(length > 0.0) || !ClipToMedium(medium.Bounds, a, (1.0 / length) * (b - a), begin, end))
+  {
+    return 0.0;
+  }
+  if (!medium.Density)
+  {
+    return end - begin;
+  }
+  const Vector3 direction = (1.0 / length) * (b - a);
+  const int steps = static_cast<int>(std::ceil(4.0 * (end - begin) / SmallestStep(*medium.Density))) + 1;
+  double sum = 0.0;
+  for (int k = 0; k < steps; ++k)
+  {
+    sum += DensityAt(*medium.Density, a + (begin + (k + 0.5) / steps * (end - begin)) * direction);
+  }
+  return sum * (end - begin) / steps;
+}
+
+//------------------------------------------------------------------------------
+ReferenceEstimate operator+(const ReferenceEstimate& a, const ReferenceEstimate& b)
+{
+  ReferenceEstimate sum = a;
+  for (std::size_t k = 0; k < a.Mean.size(); ++k)
+  {
+    sum.Mean[k] += b.Mean[k];
+    sum.StandardError[k] = std::hypot(a.StandardError[k], b.StandardError[k]);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+ReferenceEstimate ReferenceSurface(const ReferenceScene& scene, const Light& light, const Medium& medium,
+  const Camera& camera, int i, int j, int width, int height, double reflectance, int samples, std::uint64_t seed)
+{
+  constexpr int estimates = 16;
+  const std::size_t wavelengths = light.Spectrum.size();
+  std::vector<std::vector<double>> sums(estimates, std::vector<double>(wavelengths, 0.0));
+  Vector3 origin;
+  Vector3 direction;
+  CameraRay(camera, i, j, width, height, origin, direction);
+  Vector3 normal;
+  const double t = scene.Nearest(origin, direction, 0.0, Infinity, &normal);
+  if (!(t < Infinity))
+  {
+    return Summarise(sums);
+  }
+  const Vector3 hit = origin + t * direction;
+  const Vector3 x = hit + 1e-9 * t * normal;
+  const double cameraDepth = ReferenceDepth(medium, origin, hit);
+  const RandomLight source(light);
+  Random random(seed + 7000003ull * (static_cast<std::uint64_t>(j) * width + i));
+  const int count = std::max(1, samples / estimates);
+  for (auto& sum : sums)
+  {
+    for (int sample = 0; sample < count; ++sample)
+    {
+      const RandomLight::Draw draw = source.Incident(x, random);
+      const double cosine = Dot(draw.Direction, normal);
+      if (!(draw.Weight > 0.0 && cosine > 0.0) ||
+        scene.Blocked(x, draw.Direction, 0.0, draw.Distance * BeforeTheLight))
+      {
+        continue;
+      }
+      const double depth = cameraDepth + ReferenceDepth(medium, x, EndOf(x, draw, medium));
+      for (std::size_t k = 0; k < wavelengths; ++k)
+      {
+        sum[k] += reflectance / Pi * draw.Weight * cosine * light.Spectrum[k] *
+          std::exp(-(medium.SigmaS[k] + medium.SigmaA[k]) * depth) / count;
+      }
+    }
+  }
+  return Summarise(sums);
+}
+
+//------------------------------------------------------------------------------
 ReferenceEstimate ReferenceInScattering(const ReferenceScene& scene, const Light& light, const Medium& medium,
   const Camera& camera, int i, int j, int width, int height, int samples, std::uint64_t seed)
 {
@@ -566,12 +745,9 @@ ReferenceEstimate ReferenceInScattering(const ReferenceScene& scene, const Light
   result.Mean.assign(wavelengths, 0.0);
   result.StandardError.assign(wavelengths, 0.0);
 
-  const double right = ((i + 0.5) / width * 2.0 - 1.0) * camera.HalfHeight * width / height;
-  const double up = ((j + 0.5) / height * 2.0 - 1.0) * camera.HalfHeight;
-  const Vector3 aside = right * camera.Right + up * camera.Up;
-  const Vector3 origin = camera.Parallel ? camera.Position + aside : camera.Position;
-  Vector3 direction = camera.Parallel ? camera.Forward : camera.Forward + aside;
-  direction = (1.0 / Length(direction)) * direction;
+  Vector3 origin;
+  Vector3 direction;
+  CameraRay(camera, i, j, width, height, origin, direction);
 
   double begin = 0.0;
   double end = Infinity;
@@ -617,11 +793,10 @@ ReferenceEstimate ReferenceInScattering(const ReferenceScene& scene, const Light
       {
         continue;
       }
-      double legBegin = 0.0;
-      double leg = draw.Distance;
-      const bool inside = ClipToMedium(medium.Bounds, x, draw.Direction, legBegin, leg);
-      const double path = (t - begin) + (inside ? leg - legBegin : 0.0);
-      const double scale = draw.Weight * ReferencePhaseFunction(medium.Phase, Dot(draw.Direction, direction)) / density;
+      const double path =
+        ReferenceDepth(medium, origin + begin * direction, x) + ReferenceDepth(medium, x, EndOf(x, draw, medium));
+      const double scale = draw.Weight * ReferencePhaseFunction(medium.Phase, Dot(draw.Direction, direction)) *
+        (medium.Density ? DensityAt(*medium.Density, x) : 1.0) / density;
       for (std::size_t k = 0; k < wavelengths; ++k)
       {
         sum[k] += scale * light.Spectrum[k] * medium.SigmaS[k] *
@@ -629,22 +804,7 @@ ReferenceEstimate ReferenceInScattering(const ReferenceScene& scene, const Light
       }
     }
   }
-  for (std::size_t k = 0; k < wavelengths; ++k)
-  {
-    double mean = 0.0;
-    double squares = 0.0;
-    for (const auto& sum : sums)
-    {
-      mean += sum[k] / estimates;
-    }
-    for (const auto& sum : sums)
-    {
-      squares += (sum[k] - mean) * (sum[k] - mean);
-    }
-    result.Mean[k] = mean;
-    result.StandardError[k] = std::sqrt(squares / (estimates * (estimates - 1.0)));
-  }
-  return result;
+  return Summarise(sums);
 }
 
 //------------------------------------------------------------------------------

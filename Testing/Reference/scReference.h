@@ -11,6 +11,7 @@
 
 #include "scCamera.h"
 #include "scConeSet.h"
+#include "scDensityGrid.h"
 #include "scLight.h"
 #include "scMedium.h"
 #include "scOccluderScene.h"
@@ -28,8 +29,10 @@ class ReferenceScene
 public:
   explicit ReferenceScene(const TriangleMeshView& mesh);
 
-  /// Distance of the nearest hit in (tMin, tMax) along a unit direction; infinity where there is none.
-  double Nearest(const Vector3& origin, const Vector3& direction, double tMin, double tMax) const;
+  /// Distance of the nearest hit in (tMin, tMax) along a unit direction; infinity where there is none. @p normal, if
+  /// given, receives the unit normal of what is hit, on the side of the ray.
+  double Nearest(const Vector3& origin, const Vector3& direction, double tMin, double tMax,
+    Vector3* normal = nullptr) const;
   /// Is there any hit in (tMin, tMax)?
   bool Blocked(const Vector3& origin, const Vector3& direction, double tMin, double tMax) const;
   /// Number of hits in (tMin, tMax), by a plain loop over all triangles.
@@ -45,7 +48,7 @@ private:
     int Second = 0; ///< inner node: the second child; the first one follows its parent
   };
   int Build(int begin, int end);
-  double Search(const Vector3& origin, const Vector3& direction, double tMin, double tMax, bool any) const;
+  double Search(const Vector3& origin, const Vector3& direction, double tMin, double tMax, bool any, int& found) const;
 
   std::vector<std::array<Vector3, 3>> Triangles;
   std::vector<Node> Nodes;
@@ -68,10 +71,24 @@ struct ReferenceEstimate
 /**
  * Single scattering along the ray through the centre of pixel (i, j), up to the first surface: random positions on the
  * ray (a quarter of them uniform, the others equi-angular about the light), one independent random light point each,
- * attenuation on both legs over the length inside the medium. Sixteen independent estimates give the standard error.
+ * attenuation on both legs over the length inside the medium, or over the density along it: trilinear values summed up
+ * in steps of a quarter of a cell. Sixteen independent estimates give the standard error.
  */
 ReferenceEstimate ReferenceInScattering(const ReferenceScene& scene, const Light& light, const Medium& medium,
   const Camera& camera, int i, int j, int width, int height, int samples, std::uint64_t seed = 1);
+
+/// What several lights send: means add up, standard errors as independent ones do.
+ReferenceEstimate operator+(const ReferenceEstimate& a, const ReferenceEstimate& b);
+
+/**
+ * Light that the first surface along the ray through the centre of pixel (i, j) sends to the camera: reflectance over pi
+ * times the irradiance from @p samples independent random light points, attenuated on both legs. 0 where there is none.
+ */
+ReferenceEstimate ReferenceSurface(const ReferenceScene& scene, const Light& light, const Medium& medium,
+  const Camera& camera, int i, int j, int width, int height, double reflectance, int samples, std::uint64_t seed = 1);
+
+/// Optical depth of the segment from @p a to @p b in units of sigma_t: what lies in the bounds, times the density there.
+double ReferenceDepth(const Medium& medium, const Vector3& a, const Vector3& b);
 
 /// Density per steradian, written out again from the literature.
 double ReferencePhaseFunction(const PhaseFunction& phase, double cosine);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PlainTruth.h
+ * @brief The medium term of a pixel under a disc, by samples that share no light rule with what they judge.
+ */
+#ifndef PlainTruth_h
+#define PlainTruth_h
+
+#include "ImageTestScene.h"
+#include "scRandom.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shadowcones
+{
+
+struct PlainTruth
+{
+  double Mean = 0.0;
+  double Error = 0.0; ///< one standard error
+};
+
+/**
+ * One wavelength, isotropic scattering. Places are stratified in the angle under which the ray is seen from the disc's
+ * centre, points of the disc are even in area, from a lattice (Roberts 2018) that is shifted at random; the rest is the
+ * integrand as it stands in books. The error is that of @p repeats independent estimates.
+ */
+inline PlainTruth PlainInScattering(const ImageTestScene& scene, const OccluderScene& occluders, int i, int j,
+  int samples, std::uint64_t seed, int repeats = 4)
+{
+  const Ray ray = scene.PixelRay(i, j);
+  const Light& lamp = scene.Source;
+  double begin = 0.0;
+  double end = HUGE_VAL;
+  RayHit hit;
+  if (occluders.Intersect(ray.Origin, ray.Direction, 0.0, HUGE_VAL, hit))
+  {
+    end = hit.T;
+  }
+  PlainTruth truth;
+  if (!scene.Fog.Bounds.Clip(ray.Origin, ray.Direction, begin, end))
+  {
+    return truth;
+  }
+  const double pi = 3.14159265358979323846;
+  const double nearest = Dot(lamp.Center - ray.Origin, ray.Direction);
+  const double distance = Length(ray.Origin + nearest * ray.Direction - lamp.Center);
+  const double first = std::atan((begin - nearest) / distance);
+  const double angle = std::atan((end - nearest) / distance) - first;
+  const Vector3 u = Normalized(Cross(lamp.Normal, { 0.3, 0.5, 0.8 }));
+  const Vector3 v = Cross(lamp.Normal, u);
+  const double area = pi * lamp.Radius * lamp.Radius;
+  const double sigmaT = scene.Fog.SigmaS[0] + scene.Fog.SigmaA[0];
+  const double source = scene.Fog.SigmaS[0] * lamp.Spectrum[0] / (4.0 * pi);
+  double squares = 0.0;
+  for (int repeat = 0; repeat < repeats; ++repeat)
+  {
+    RandomStream random(seed + static_cast<std::uint64_t>(repeat), static_cast<std::uint64_t>(j * 4096 + i));
+    const double shift[2] = { random.Next(), random.Next() };
+    double sum = 0.0;
+    for (int k = 0; k < samples; ++k)
+    {
+      const double t = nearest + distance * std::tan(first + angle * (k + random.Next()) / samples);
+      const Vector3 x = ray.Origin + t * ray.Direction;
+      double whole = 0.0;
+      const double radius = lamp.Radius * std::sqrt(std::modf(shift[0] + 0.7548776662466927 * k, &whole));
+      const double turn = 2.0 * pi * std::modf(shift[1] + 0.5698402909980532 * k, &whole);
+      const Vector3 to = lamp.Center + radius * (std::cos(turn) * u + std::sin(turn) * v) - x;
+      const double length = Length(to);
+      const Vector3 direction = (1.0 / length) * to;
+      const double cosine = -Dot(direction, lamp.Normal);
+      if (cosine > 0.0 && !occluders.Occluded(x, direction, occluders.Epsilon(), length - occluders.Epsilon()))
+      {
+        double from = 0.0;
+        double leg = length;
+        scene.Fog.Bounds.Clip(x, direction, from, leg);
+        const double perAngle = (distance * distance + (t - nearest) * (t - nearest)) / distance;
+        sum += source * area * cosine / (length * length) * std::exp(-sigmaT * (t - begin + leg)) * perAngle;
+      }
+    }
+    const double estimate = sum * angle / samples;
+    truth.Mean += estimate / repeats;
+    squares += estimate * estimate / repeats;
+  }
+  truth.Error = repeats > 1 ? std::sqrt(std::max(squares - truth.Mean * truth.Mean, 0.0) / (repeats - 1)) : 0.0;
+  return truth;
+}
+
+} // namespace shadowcones
+
+#endif
