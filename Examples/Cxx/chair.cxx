@@ -117,7 +117,6 @@ int main(int argc, char* argv[])
   light->SetCenter(0.0, 5.49, 0.0);
   light->SetNormal(0.0, -1.0, 0.0);
   light->SetRadius(0.5);
-  light->SetRadiance(60.0);
 
   vtkNew<vtkShadowVectorFilter> vectors;
   vectors->SetInputConnection(room->GetOutputPort());

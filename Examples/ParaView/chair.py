@@ -32,7 +32,7 @@ def chain(data, size):
     occluders = simple.LabelOccluders(Input=painted)
     room = simple.AppendGeometry(Input=[occluders, read(os.path.join(data, "cornell-box.vtp"))])
 
-    light = simple.AreaLight(Shape="Disc", Center=[0.0, 5.49, 0.0], Normal=[0.0, -1.0, 0.0], Radius=0.5, Radiance=60.0)
+    light = simple.AreaLight(Shape="Disc", Center=[0.0, 5.49, 0.0], Normal=[0.0, -1.0, 0.0], Radius=0.5)
     vectors = simple.ShadowVectors(Input=room, Light=light, TargetNumberOfVectors=5800)
     cones = simple.ConeSet(
         Input=simple.OutputPort(vectors, "Shadow Vectors"), PhotonPaths=simple.OutputPort(vectors, "Photon Paths"))

@@ -28,7 +28,7 @@ def bounds(vectors, cones):
 
 
 def paper(vectors, cones):
-    """The paper's parameters, which are the defaults."""
+    """The paper's parameters, as SetToPaper() gives them."""
 
 
 def slice_of_room(mesh, z, size):

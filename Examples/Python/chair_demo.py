@@ -74,12 +74,9 @@ def main():
 
     with Stage("Cones"):
         cones = sc.vtkConeSetFilter()
+        cones.SetToPaper()
         cones.SetInputConnection(vectors.GetOutputPort(0))
         cones.SetPhotonPathConnection(vectors.GetOutputPort(1))
-        cones.SetNumberOfNeighbors(100)
-        cones.SetNumberOfSectors(20)
-        cones.SetPointsPerRing(16)
-        cones.SetMinimumVectorsPerCone(20)
         cones.Update()
         require(cones.GetOutput(), "cones")
         write(vtkXMLPolyDataWriter(), cones.GetOutput(), path("cone-set.vtp"))

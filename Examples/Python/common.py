@@ -127,25 +127,22 @@ def receivers(mesh):
 
 
 def shadow_vectors(occluders, light, number):
-    """Shadow vectors of labelled occluders, on their back sides."""
+    """Shadow vectors of labelled occluders, on their back sides as in the paper."""
     vectors = sc.vtkShadowVectorFilter()
+    vectors.SetToPaper()
     vectors.SetInputConnection(occluders.GetOutputPort())
     vectors.SetLightConnection(light.GetOutputPort())
     vectors.SetTargetNumberOfVectors(number)
-    vectors.SetStorageToBackSide()
     vectors.SetSeed(1)
     return vectors
 
 
 def cone_set(vectors):
-    """Cones of shadow vectors, with the paper's p1 to p4."""
+    """Cones of shadow vectors, as the paper makes them."""
     cones = sc.vtkConeSetFilter()
+    cones.SetToPaper()
     cones.SetInputConnection(vectors.GetOutputPort(0))
     cones.SetPhotonPathConnection(vectors.GetOutputPort(1))
-    cones.SetNumberOfNeighbors(100)
-    cones.SetNumberOfSectors(20)
-    cones.SetPointsPerRing(16)
-    cones.SetMinimumVectorsPerCone(20)
     return cones
 
 

@@ -19,6 +19,7 @@ def main():
     arguments = common.parse(options)
     light = scenes.ceiling_light()
     rows = [[] for _ in arguments.modes]
+    exposure = None
     for model in arguments.models:
         occluders = scenes.label(scenes.read(os.path.join(arguments.data, model + ".vtp")))
         room = scenes.put_in_room(occluders, arguments.data)
@@ -28,8 +29,12 @@ def main():
             image = common.light_shafts(room, light, cones, mode, arguments.size)
             image.SetNumberOfLightSamples(arguments.samples)
             image.SetNumberOfSurfaceLightSamples(64)
+            if exposure:
+                image.AutoExposureOff()
+                image.SetExposure(exposure)
             image.Update()
             field = image.GetOutput().GetFieldData()
+            exposure = field.GetArray("Exposure").GetTuple1(0)
             print(f"{model}, {mode}: {field.GetArray('RenderSeconds').GetTuple1(0):.2f} s, "
                   f"{field.GetArray('NumberOfOcclusionRays').GetTuple1(0):,.0f} occlusion rays", flush=True)
             row.append(common.pixels(image.GetOutput()))

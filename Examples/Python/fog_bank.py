@@ -61,6 +61,7 @@ def main():
     for density in (None, fog_bank(scenes.MEDIUM_BOUNDS, arguments.points, arguments.height)):
         image = common.light_shafts(room, light, cones, "Medium", arguments.size)
         image.SetSigmaS(0.25)
+        image.SetNumberOfSteps(80)  # the bank is dense: light fades within longer steps
         image.SetDensityData(density)
         image.Update()
         seconds = image.GetOutput().GetFieldData().GetArray("RenderSeconds").GetTuple1(0)

@@ -84,12 +84,16 @@ def main():
         volume.Update()
         truth = converged(room, light, arguments.size, arguments.goal)
 
-        pictures, errors = [], []
+        pictures, errors, exposure = [], [], None
         for mode in MODES:
             image = common.light_shafts(room, light, cones.get(TUNING.get(mode)), mode, arguments.size)
             if mode == "Volume":
                 image.SetVisibilityVolumeConnection(volume.GetOutputPort())
+            if exposure:  # that of the first, so that the others may be darker or brighter
+                image.AutoExposureOff()
+                image.SetExposure(exposure)
             image.Update()
+            exposure = figure(image, "Exposure")
             error = (medium_term(image) - truth) / truth.mean()
             print(f"{model}, {mode}: {figure(image, 'RenderSeconds'):.2f} s, "
                   f"{figure(image, 'NumberOfOcclusionRays'):,.0f} occlusion rays, "

@@ -26,14 +26,13 @@ def read(path):
     return reader.GetOutput()
 
 
-def ceiling_light(radiance=120.0):
-    """A disc of radius 0.5 under the ceiling, facing down. Radiance in W m^-2 sr^-1 at every wavelength."""
+def ceiling_light():
+    """A disc of radius 0.5 under the ceiling, facing down, of radiance 1 W m^-2 sr^-1 at every wavelength."""
     light = sc.vtkAreaLightSource()
     light.SetShapeToDisc()
     light.SetCenter(0.0, 5.49, 0.0)
     light.SetNormal(0.0, -1.0, 0.0)
     light.SetRadius(0.5)
-    light.SetRadiance(radiance)
     return light
 
 
