@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scConeTuning.h"
 
-#include "scConeIntervals.h"
+#include "scCone.h"
+#include "scConeHierarchy.h"
 #include "scConeTree.h"
+#include "scOccluderInterval.h"
 #include "scRandom.h"
 #include "scTuningData.h"
 
@@ -18,16 +20,16 @@ constexpr double coneCost = 0.05;      ///< Conservative: what a cone per vector
 constexpr double boundsMargin = 0.5;   ///< Conservative: light counts in the paths' bounds, grown by this share of them
 constexpr double previewMargin = 0.25; ///< Preview: the same, nearer to the occluders, where images look
 constexpr double largestScale = 2.0;   ///< Soft: radii are not scaled beyond this
-constexpr int numberOfProbes = 24;     ///< parameter sets spread over the ranges before the best is refined
+constexpr int numberOfParameterSamples = 24; ///< parameter sets spread over the ranges before the best is refined
 constexpr int numberOfRounds = 2;      ///< of steps from the best
 constexpr vtkIdType fewVectors = 6000;   ///< Preview and Soft: to search with
 constexpr vtkIdType manyVectors = 40000; ///< to choose among the best with
 constexpr std::size_t numberOfFinalists = 6;
 
-/// What judging a kind of tuning needs again and again.
-struct Judge
+/// What validating a kind of tuning needs again and again.
+struct Validation
 {
-  Judge(const ShadowVectorView& vectors, const PhotonPathView& paths, std::size_t lights, ConeTuning tuning,
+  Validation(const ShadowVectorView& vectors, const PhotonPathView& paths, std::size_t lights, ConeTuning tuning,
     vtkIdType largestNumberOfVectors)
     : Data(vectors, paths, largestNumberOfVectors)
     , Lights(lights)
@@ -53,45 +55,47 @@ struct LightSums
   double Lost = 0.0;   ///< lit, inside the cones
 };
 
-LightSums SumLight(const Judge& judge, const std::vector<Cone>& cones)
+LightSums SumLight(const Validation& validation, const std::vector<Cone>& cones)
 {
   std::vector<std::unique_ptr<ConeHierarchy>> hierarchies;
-  for (const std::vector<Cone>& ofLight : ConesOfLights(cones, judge.Lights))
+  for (const std::vector<Cone>& ofLight : ConesOfLights(cones, validation.Lights))
   {
-    hierarchies.push_back(std::make_unique<ConeHierarchy>(ofLight, judge.Region));
+    hierarchies.push_back(std::make_unique<ConeHierarchy>(ofLight, validation.Region));
   }
   // Fixed chunks, joined in order: the sums do not depend on the number of threads.
   constexpr vtkIdType chunk = 256;
-  const auto count = static_cast<vtkIdType>(judge.Data.HeldOut.size());
+  const auto count = static_cast<vtkIdType>(validation.Data.HeldOut.size());
   std::vector<LightSums> parts(static_cast<std::size_t>((count + chunk - 1) / chunk));
-  ParallelFor(static_cast<vtkIdType>(parts.size()), {}, [&](vtkIdType first, vtkIdType last) {
-    std::vector<RayInterval> intervals;
-    for (vtkIdType part = first; part < last; ++part)
+  ParallelFor(static_cast<vtkIdType>(parts.size()), {},
+    [&](vtkIdType first, vtkIdType last)
     {
-      for (vtkIdType i = part * chunk; i < std::min(count, (part + 1) * chunk); ++i)
+      std::vector<OccluderInterval> intervals;
+      for (vtkIdType part = first; part < last; ++part)
       {
-        const HeldOutPath& path = judge.Data.HeldOut[i];
-        double begin = 0.0;
-        double end = HUGE_VAL;
-        if (!judge.Region.Clip(path.Origin, path.Direction, begin, end))
+        for (vtkIdType i = part * chunk; i < std::min(count, (part + 1) * chunk); ++i)
         {
-          continue;
+          const HeldOutPath& path = validation.Data.HeldOut[i];
+          double begin = 0.0;
+          double end = HUGE_VAL;
+          if (!validation.Region.Clip(path.Origin, path.Direction, begin, end))
+          {
+            continue;
+          }
+          const double stop = std::clamp(path.Stop, begin, end);
+          hierarchies[path.Light]->Intersect(path.Origin, path.Direction, begin, end, intervals);
+          double leaked = end - stop;
+          double lost = 0.0;
+          parts[part].Blocked += leaked;
+          for (const OccluderInterval& interval : intervals)
+          {
+            leaked -= std::max(0.0, interval.End - std::max(interval.Begin, stop));
+            lost += std::max(0.0, std::min(interval.End, stop) - interval.Begin);
+          }
+          parts[part].Leaked += std::max(0.0, leaked);
+          parts[part].Lost += lost;
         }
-        const double stop = std::clamp(path.Stop, begin, end);
-        hierarchies[path.Light]->Intersect(path.Origin, path.Direction, begin, end, intervals);
-        double leaked = end - stop;
-        double lost = 0.0;
-        parts[part].Blocked += leaked;
-        for (const RayInterval& interval : intervals)
-        {
-          leaked -= std::max(0.0, interval.End - std::max(interval.Begin, stop));
-          lost += std::max(0.0, std::min(interval.End, stop) - interval.Begin);
-        }
-        parts[part].Leaked += std::max(0.0, leaked);
-        parts[part].Lost += lost;
       }
-    }
-  });
+    });
   LightSums sums;
   for (const LightSums& part : parts)
   {
@@ -109,60 +113,65 @@ void SetSums(const LightSums& sums, ConeTuningResult& result)
   result.Lost = sums.Lost / blocked;
 }
 
-void MeasureConservative(const Judge& judge, const std::vector<Cone>& cones, ConeTuningResult& result)
+void MeasureConservative(const Validation& validation, const std::vector<Cone>& cones, ConeTuningResult& result)
 {
-  SetSums(SumLight(judge, cones), result);
+  SetSums(SumLight(validation, cones), result);
   result.Objective =
-    result.Leak + coneCost * static_cast<double>(cones.size()) / static_cast<double>(judge.Data.Vectors().Count);
+    result.Leak + coneCost * static_cast<double>(cones.size()) / static_cast<double>(validation.Data.Vectors().Count);
 }
 
 /// For each sample the smallest share of the half angles at which a cone holds it; HUGE_VAL: none does at @p largest.
-std::vector<double> HoldingShares(const Judge& judge, const std::vector<Cone>& cones, double largest)
+std::vector<double> HoldingFractions(const Validation& validation, const std::vector<Cone>& cones, double largest)
 {
   std::vector<Cone> narrow = cones;
   for (Cone& cone : narrow)
   {
     cone.HalfAngle *= largest;
   }
-  const std::vector<std::vector<Cone>> conesOf = ConesOfLights(cones, judge.Lights);
+  const std::vector<std::vector<Cone>> conesOf = ConesOfLights(cones, validation.Lights);
   std::vector<ConeTree> trees;
-  for (const std::vector<Cone>& ofLight : ConesOfLights(narrow, judge.Lights))
+  for (const std::vector<Cone>& ofLight : ConesOfLights(narrow, validation.Lights))
   {
-    trees.push_back(ConeTree::OverSlices(ofLight, judge.Region, HUGE_VAL));
+    trees.push_back(ConeTree::OverSlices(ofLight, validation.Region, HUGE_VAL));
   }
-  std::vector<double> shares(judge.Samples.size(), HUGE_VAL);
-  ParallelFor(static_cast<vtkIdType>(shares.size()), {}, [&](vtkIdType first, vtkIdType last) {
-    for (vtkIdType i = first; i < last; ++i)
+  std::vector<double> fractions(validation.Samples.size(), HUGE_VAL);
+  ParallelFor(static_cast<vtkIdType>(fractions.size()), {},
+    [&](vtkIdType first, vtkIdType last)
     {
-      double smallest = HUGE_VAL;
-      const std::size_t light = judge.Samples[i].Light;
-      trees[light].AnyAtPoint(judge.Samples[i].Point, [&](const ConeTree::Entry& entry) {
-        const Cone& cone = conesOf[light][entry.Cone];
-        const Vector3 offset = judge.Samples[i].Point - cone.Center;
-        const double height = Dot(offset, cone.Axis);
-        const double beyond = std::sqrt(std::max(0.0, Dot(offset, offset) - height * height)) - cone.BaseRadius;
-        if (height >= 0.0)
-        {
-          smallest = std::min(smallest, beyond > 0.0 ? std::atan2(beyond, height) / cone.HalfAngle : 0.0);
-        }
-        return smallest == 0.0;
-      });
-      shares[i] = smallest <= largest ? smallest : HUGE_VAL;
-    }
-  });
-  return shares;
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        double smallest = HUGE_VAL;
+        const std::size_t light = validation.Samples[i].Light;
+        trees[light].AnyAtPoint(validation.Samples[i].Point,
+          [&](const ConeTree::Entry& entry)
+          {
+            const Cone& cone = conesOf[light][entry.Cone];
+            const Vector3 offset = validation.Samples[i].Point - cone.Center;
+            const double height = Dot(offset, cone.Axis);
+            const double beyond = std::sqrt(std::max(0.0, Dot(offset, offset) - height * height)) - cone.BaseRadius;
+            if (height >= 0.0)
+            {
+              smallest = std::min(smallest, beyond > 0.0 ? std::atan2(beyond, height) / cone.HalfAngle : 0.0);
+            }
+            return smallest == 0.0;
+          });
+        fractions[i] = smallest <= largest ? smallest : HUGE_VAL;
+      }
+    });
+  return fractions;
 }
 
 /// The share of the angle at which as much lit light is lost inside the cones as blocked light leaks outside.
-void MeasurePreview(const Judge& judge, const std::vector<Cone>& cones, ConeTuningResult& result)
+void MeasurePreview(const Validation& validation, const std::vector<Cone>& cones, ConeTuningResult& result)
 {
-  std::vector<double> shares;
-  const auto at = [&](double share) {
+  std::vector<double> fractions;
+  const auto at = [&](double limit)
+  {
     LightSums sums;
-    for (std::size_t i = 0; i < shares.size(); ++i)
+    for (std::size_t i = 0; i < fractions.size(); ++i)
     {
-      const PathSample& sample = judge.Samples[i];
-      const bool inside = shares[i] <= share;
+      const PathSample& sample = validation.Samples[i];
+      const bool inside = fractions[i] <= limit;
       sums.Blocked += sample.Blocked ? sample.Length : 0.0;
       sums.Leaked += sample.Blocked && !inside ? sample.Length : 0.0;
       sums.Lost += !sample.Blocked && inside ? sample.Length : 0.0;
@@ -175,7 +184,7 @@ void MeasurePreview(const Judge& judge, const std::vector<Cone>& cones, ConeTuni
   for (const double largest : { 0.25, 1.0 })
   {
     high = largest;
-    shares = HoldingShares(judge, cones, largest);
+    fractions = HoldingFractions(validation, cones, largest);
     sums = at(largest);
     if (sums.Lost >= sums.Leaked)
     {
@@ -198,10 +207,10 @@ void MeasurePreview(const Judge& judge, const std::vector<Cone>& cones, ConeTuni
 
   constexpr int side = TuningData::CellsPerSide;
   std::vector<double> cells(side * side * side, 0.0);
-  for (std::size_t i = 0; i < shares.size(); ++i)
+  for (std::size_t i = 0; i < fractions.size(); ++i)
   {
-    const PathSample& sample = judge.Samples[i];
-    if (sample.Blocked != (shares[i] <= fraction))
+    const PathSample& sample = validation.Samples[i];
+    if (sample.Blocked != (fractions[i] <= fraction))
     {
       cells[sample.Cell] += sample.Blocked ? sample.Length : -sample.Length;
     }
@@ -215,7 +224,7 @@ void MeasurePreview(const Judge& judge, const std::vector<Cone>& cones, ConeTuni
 }
 
 /// For each path the smallest factor on the radii at which a base disc blocks it; HUGE_VAL where none does up to the largest.
-std::vector<double> BlockingScales(const Judge& judge, const std::vector<Cone>& cones)
+std::vector<double> BlockingScales(const Validation& validation, const std::vector<Cone>& cones)
 {
   std::vector<Cone> discs = cones;
   for (Cone& disc : discs)
@@ -223,17 +232,17 @@ std::vector<double> BlockingScales(const Judge& judge, const std::vector<Cone>& 
     disc.BaseRadius *= largestScale;
     disc.Axis = disc.Normal;
   }
-  const std::vector<std::vector<Cone>> conesOf = ConesOfLights(cones, judge.Lights);
+  const std::vector<std::vector<Cone>> conesOf = ConesOfLights(cones, validation.Lights);
   std::vector<ConeTree> trees;
-  for (const std::vector<Cone>& ofLight : ConesOfLights(discs, judge.Lights))
+  for (const std::vector<Cone>& ofLight : ConesOfLights(discs, validation.Lights))
   {
     trees.push_back(ConeTree::OverBases(ofLight));
   }
-  std::vector<double> scales(judge.Data.HeldOut.size(), HUGE_VAL);
+  std::vector<double> scales(validation.Data.HeldOut.size(), HUGE_VAL);
   ParallelFor(static_cast<vtkIdType>(scales.size()), {}, [&](vtkIdType first, vtkIdType last) {
     for (vtkIdType i = first; i < last; ++i)
     {
-      const HeldOutPath& path = judge.Data.HeldOut[i];
+      const HeldOutPath& path = validation.Data.HeldOut[i];
       trees[path.Light].ForEachOnRay(path.Origin, path.Direction, 0.0, HUGE_VAL, [&](const ConeTree::Entry& entry) {
         const Cone& disc = conesOf[path.Light][entry.Cone];
         const double slope = Dot(path.Direction, disc.Normal);
@@ -250,14 +259,14 @@ std::vector<double> BlockingScales(const Judge& judge, const std::vector<Cone>& 
 }
 
 /// The factor on the radii at which as many lit paths are caught as blocked ones are missed.
-void MeasureSoft(const Judge& judge, const std::vector<Cone>& cones, ConeTuningResult& result)
+void MeasureSoft(const Validation& validation, const std::vector<Cone>& cones, ConeTuningResult& result)
 {
-  const std::vector<double> scales = BlockingScales(judge, cones);
+  const std::vector<double> scales = BlockingScales(validation, cones);
   std::vector<double> lit;
   std::vector<double> blocked;
   for (std::size_t i = 0; i < scales.size(); ++i)
   {
-    (std::isfinite(judge.Data.HeldOut[i].Stop) ? blocked : lit).push_back(scales[i]);
+    (std::isfinite(validation.Data.HeldOut[i].Stop) ? blocked : lit).push_back(scales[i]);
   }
   std::sort(lit.begin(), lit.end());
   std::sort(blocked.begin(), blocked.end());
@@ -287,28 +296,28 @@ bool IsBetter(const ConeTuningResult& a, const ConeTuningResult& b)
 }
 
 /// Fit with the options in the result, measure, and set what balances.
-bool Measure(const Judge& judge, const std::vector<LightExtent>& lights, ConeTuning tuning, const Monitor& monitor,
-  ConeTuningResult& result)
+bool Measure(const Validation& validation, const std::vector<LightExtent>& lights, ConeTuning tuning,
+  const Monitor& monitor, ConeTuningResult& result)
 {
   ConeSetOptions options = result.Options;
   options.ExpansionFraction = 1.0;
   options.RadiusScale = 1.0;
   ConeSet set;
-  const PhotonPathView paths = options.MaximumOverspill < 1.0 ? judge.Data.Paths() : PhotonPathView{};
-  if (!FitConeSet(judge.Data.Vectors(), paths, lights, options, Monitor{ nullptr, monitor.Aborted }, set))
+  const PhotonPathView paths = options.MaximumOverspill < 1.0 ? validation.Data.Paths() : PhotonPathView{};
+  if (!FitConeSet(validation.Data.Vectors(), paths, lights, options, Monitor{ nullptr, monitor.Aborted }, set))
   {
     return false;
   }
   switch (tuning)
   {
     case ConeTuning::Preview:
-      MeasurePreview(judge, set.Cones, result);
+      MeasurePreview(validation, set.Cones, result);
       break;
     case ConeTuning::Soft:
-      MeasureSoft(judge, set.Cones, result);
+      MeasureSoft(validation, set.Cones, result);
       break;
     default:
-      MeasureConservative(judge, set.Cones, result);
+      MeasureConservative(validation, set.Cones, result);
       break;
   }
   return true;
@@ -337,7 +346,7 @@ ConeSetOptions Recipe(ConeTuning tuning, ConeSetOptions options)
 }
 
 /// The index-th of a sequence of parameter sets that is spread evenly over the useful ranges.
-ConeSetOptions Probe(ConeSetOptions options, int index)
+ConeSetOptions ParameterSample(ConeSetOptions options, int index)
 {
   const auto u = SobolPoint(1, static_cast<std::uint32_t>(index));
   options.NumberOfNeighbors = static_cast<int>(24.0 * std::pow(10.0, u[0]));
@@ -348,7 +357,7 @@ ConeSetOptions Probe(ConeSetOptions options, int index)
 }
 
 /// Steps from the options to either side, one parameter at a time.
-std::vector<ConeSetOptions> Neighbors(const ConeSetOptions& options)
+std::vector<ConeSetOptions> Steps(const ConeSetOptions& options)
 {
   std::vector<ConeSetOptions> steps;
   for (const double factor : { 0.75, 1.35 })
@@ -375,11 +384,11 @@ std::vector<ConeSetOptions> Neighbors(const ConeSetOptions& options)
   return steps;
 }
 
-/// A recipe, probes over the ranges, then steps from the best. @param tried every parameter set measured, the recipe first.
-bool Search(const Judge& judge, const std::vector<LightExtent>& lights, ConeTuning tuning, const ConeSetOptions& recipe,
-  const Monitor& monitor, std::vector<ConeTuningResult>& tried)
+/// A recipe, samples of the ranges, then steps from the best. @param tried every parameter set measured, the recipe first.
+bool Search(const Validation& validation, const std::vector<LightExtent>& lights, ConeTuning tuning,
+  const ConeSetOptions& recipe, const Monitor& monitor, std::vector<ConeTuningResult>& tried)
 {
-  const double expected = 1.0 + numberOfProbes + numberOfRounds * static_cast<double>(Neighbors(recipe).size());
+  const double expected = 1.0 + numberOfParameterSamples + numberOfRounds * static_cast<double>(Steps(recipe).size());
   const auto attempt = [&](const ConeSetOptions& options) {
     if (CheckConeSetOptions(options))
     {
@@ -387,7 +396,7 @@ bool Search(const Judge& judge, const std::vector<LightExtent>& lights, ConeTuni
     }
     ConeTuningResult candidate;
     candidate.Options = options;
-    if (!Measure(judge, lights, tuning, monitor, candidate))
+    if (!Measure(validation, lights, tuning, monitor, candidate))
     {
       return false;
     }
@@ -403,9 +412,9 @@ bool Search(const Judge& judge, const std::vector<LightExtent>& lights, ConeTuni
   {
     return false;
   }
-  for (int probe = 0; probe < numberOfProbes; ++probe)
+  for (int sample = 0; sample < numberOfParameterSamples; ++sample)
   {
-    if (!attempt(Probe(recipe, probe)))
+    if (!attempt(ParameterSample(recipe, sample)))
     {
       return false;
     }
@@ -413,7 +422,7 @@ bool Search(const Judge& judge, const std::vector<LightExtent>& lights, ConeTuni
   for (int round = 0; round < numberOfRounds; ++round)
   {
     const ConeTuningResult from = best();
-    for (const ConeSetOptions& step : Neighbors(from.Options))
+    for (const ConeSetOptions& step : Steps(from.Options))
     {
       if (!attempt(step))
       {
@@ -440,14 +449,14 @@ bool MeasureTuning(const ShadowVectorView& vectors, const PhotonPathView& paths,
 {
   result = {};
   result.Options = options;
-  const Judge judge(vectors, paths, lights.size(), tuning, manyVectors);
-  result.Lacking = judge.Data.Lacking(NeedsLitPaths(tuning));
+  const Validation validation(vectors, paths, lights.size(), tuning, manyVectors);
+  result.Lacking = validation.Data.Lacking(NeedsLitPaths(tuning));
   if (!result.Lacking.empty())
   {
     return true;
   }
   result.NumberOfFits = 1;
-  return Measure(judge, lights, tuning, monitor, result);
+  return Measure(validation, lights, tuning, monitor, result);
 }
 
 bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, const std::vector<LightExtent>& lights,
@@ -460,16 +469,16 @@ bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, c
     return true;
   }
   const bool many = tuning != ConeTuning::Conservative && vectors.Count > fewVectors;
-  const double share = many ? 0.5 : 1.0;
+  const double part = many ? 0.5 : 1.0;
   std::vector<ConeTuningResult> tried;
-  const Judge first(vectors, paths, lights.size(), tuning, many ? fewVectors : manyVectors);
+  const Validation first(vectors, paths, lights.size(), tuning, many ? fewVectors : manyVectors);
   result.Lacking = first.Data.Lacking(NeedsLitPaths(tuning));
   if (!result.Lacking.empty())
   {
     result.Options = BoundsOptions(options);
     return true;
   }
-  if (!Search(first, lights, tuning, Recipe(tuning, options), monitor.Part(0.0, share), tried))
+  if (!Search(first, lights, tuning, Recipe(tuning, options), monitor.Part(0.0, part), tried))
   {
     return false;
   }
@@ -478,17 +487,17 @@ bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, c
   if (many)
   {
     // More vectors make other cones of the same parameters: the recipe and the best few are measured again.
-    const Judge judge(vectors, paths, lights.size(), tuning, manyVectors);
+    const Validation validation(vectors, paths, lights.size(), tuning, manyVectors);
     tried.resize(std::min(tried.size(), 1 + numberOfFinalists));
     for (std::size_t i = 0; i < tried.size(); ++i)
     {
-      if (!Measure(judge, lights, tuning, monitor, tried[i]))
+      if (!Measure(validation, lights, tuning, monitor, tried[i]))
       {
         return false;
       }
       if (monitor.Progress)
       {
-        monitor.Progress(share + (1.0 - share) * static_cast<double>(i + 1) / static_cast<double>(tried.size()));
+        monitor.Progress(part + (1.0 - part) * static_cast<double>(i + 1) / static_cast<double>(tried.size()));
       }
     }
   }

@@ -8,6 +8,9 @@
 
 #include "ShadowConesCoreModule.h"
 #include "scConeSet.h"
+#include "scLightExtent.h"
+#include "scPhotonPathView.h"
+#include "scShadowVectorView.h"
 
 #include <string>
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scTuningData.h"
 
+#include "scBox.h"
+#include "scParallel.h"
 #include "scRandom.h"
+#include "scVector3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -187,9 +190,9 @@ std::vector<PathSample> TuningData::SamplesIn(const Box& region) const
       sample.Light = path.Light;
       for (int axis = 2; axis >= 0; --axis)
       {
-        const double share = (sample.Point[axis] - region.Min[axis]) / std::max(size[axis], 1e-300);
+        const double fraction = (sample.Point[axis] - region.Min[axis]) / std::max(size[axis], 1e-300);
         sample.Cell =
-          sample.Cell * CellsPerSide + std::clamp(static_cast<int>(share * CellsPerSide), 0, CellsPerSide - 1);
+          sample.Cell * CellsPerSide + std::clamp(static_cast<int>(fraction * CellsPerSide), 0, CellsPerSide - 1);
       }
       samples.push_back(sample);
     }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scTuningData.h
- * @brief Photons split in two: vectors and paths to fit cones with, and paths held out to judge them by. Internal to Core.
+ * @brief Photons split in two: vectors and paths to fit cones with, and paths held out to validate them by. Internal to Core.
  */
 #ifndef scTuningData_h
 #define scTuningData_h
 
-#include "scConeSet.h"
+#include "scBox.h"
+#include "scPhotonPathView.h"
+#include "scShadowVectorView.h"
+#include "scVector3.h"
 
 #include <string>
 #include <vector>

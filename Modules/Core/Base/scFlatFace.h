@@ -6,6 +6,7 @@
 #ifndef scFlatFace_h
 #define scFlatFace_h
 
+#include "scSinglePrecision.h"
 #include "scVector3.h"
 
 #include <algorithm>
@@ -26,8 +27,7 @@ struct FlatFace
 /// By how much a coordinate in single precision may be off; 0 where the point is not one in single precision.
 inline double SinglePrecisionRounding(const Vector3& p)
 {
-  const auto isSingle = [](double x) { return static_cast<double>(static_cast<float>(x)) == x; };
-  return isSingle(p.X) && isSingle(p.Y) && isSingle(p.Z)
+  return IsSinglePrecision(p.X) && IsSinglePrecision(p.Y) && IsSinglePrecision(p.Z)
     ? 0x1p-22 * std::max({ std::fabs(p.X), std::fabs(p.Y), std::fabs(p.Z) })
     : 0.0;
 }

@@ -6,6 +6,8 @@
 #ifndef scGaussLegendre_h
 #define scGaussLegendre_h
 
+#include "scConstants.h"
+
 #include <cmath>
 #include <vector>
 
@@ -25,7 +27,7 @@ struct GaussLegendre
     for (int k = 0; k < n; ++k)
     {
       // Newton's method on the Legendre polynomial P_n, from Tricomi's estimate of its roots.
-      double x = std::cos(3.14159265358979323846 * (k + 0.75) / (n + 0.5));
+      double x = std::cos(Pi * (k + 0.75) / (n + 0.5));
       double slope = 1.0;
       for (int step = 0; step < 8; ++step)
       {

@@ -61,7 +61,7 @@ Monitor Monitor::Part(double from, double to) const
   part.Aborted = this->Aborted;
   if (this->Progress)
   {
-    part.Progress = [from, to, whole = this->Progress](double share) { whole(from + (to - from) * share); };
+    part.Progress = [from, to, whole = this->Progress](double fraction) { whole(from + (to - from) * fraction); };
   }
   return part;
 }

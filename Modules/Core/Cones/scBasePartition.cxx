@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scBasePartition.h"
 
+#include "scConstants.h"
+#include "scFrame.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -9,7 +12,6 @@ namespace shadowcones
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 /// Planes steeper than this against the mean direction (some 81 degrees) are not projected on.
 constexpr double smallestCosine = 0.15;
 
@@ -64,7 +66,7 @@ double SectorDispersion(const PlanarPoint* ring, int count, std::vector<int>& se
   const int number = static_cast<int>(sectors.size());
   for (int i = 0; i < count; ++i)
   {
-    const int sector = static_cast<int>((ring[i].Angle / (2.0 * pi) + 0.5) * number);
+    const int sector = static_cast<int>((ring[i].Angle / (2.0 * Pi) + 0.5) * number);
     ++sectors[std::clamp(sector, 0, number - 1)];
   }
   const double mean = static_cast<double>(count) / number;

@@ -7,6 +7,7 @@
 #define scBasePartition_h
 
 #include "scConeSet.h"
+#include "scShadowVectorView.h"
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scConeBeam.h"
 
+#include "scBits.h"
 #include "scWideLoops.h"
 
 #include <algorithm>
@@ -98,20 +99,34 @@ BeamPlane PlaneBetween(const Ray& ray, const Ray& next, const Ray& inside)
   return plane;
 }
 
-int LowestBit(std::uint64_t x)
+/// The runs of bins that are set, of an interval cut into as many bins as there are bits.
+void ListRuns(const std::uint64_t (&bits)[2], const RayInterval& whole, std::vector<RayInterval>& runs)
 {
-  int bit = 0;
-  while (!(x & 0xFF))
+  constexpr int bins = 128;
+  const double length = whole.End - whole.Begin;
+  int bin = 0;
+  const auto next = [&](bool set)
   {
-    x >>= 8;
-    bit += 8;
-  }
-  while (!(x & 1))
+    // The first bin from here on that is set, or not.
+    while (bin < bins)
+    {
+      const std::uint64_t word = (set ? bits[bin / 64] : ~bits[bin / 64]) >> (bin % 64);
+      if (word)
+      {
+        bin += LowestBit(word);
+        return;
+      }
+      bin = (bin / 64 + 1) * 64;
+    }
+  };
+  for (next(true); bin < bins; next(true))
   {
-    x >>= 1;
-    ++bit;
+    RayInterval run;
+    run.Begin = whole.Begin + length * bin / bins;
+    next(false);
+    run.End = bin < bins ? whole.Begin + length * bin / bins : whole.End;
+    runs.push_back(run);
   }
-  return bit;
 }
 } // anonymous namespace
 
@@ -135,7 +150,6 @@ void ConeBeam::Gather(const std::array<Ray, 4>& corners)
   {
     const Cone& cone = this->Hierarchy.Cones()[static_cast<std::size_t>(this->Ids[k])];
     const double tangent = std::tan(cone.HalfAngle);
-    const double tip = tangent < 0.0 ? -cone.BaseRadius / tangent : HUGE_VAL;
     columns[CenterX * count + k] = cone.Center.X;
     columns[CenterY * count + k] = cone.Center.Y;
     columns[CenterZ * count + k] = cone.Center.Z;
@@ -144,14 +158,13 @@ void ConeBeam::Gather(const std::array<Ray, 4>& corners)
     columns[AxisZ * count + k] = cone.Axis.Z;
     columns[Radius * count + k] = cone.BaseRadius;
     columns[Tangent * count + k] = tangent;
-    columns[Height * count + k] = std::min({ this->Hierarchy.Length(), tip, 1e100 });
+    columns[Height * count + k] = std::min({ this->Hierarchy.Length(), TipHeight(cone.BaseRadius, tangent), 1e100 });
   }
 }
 
-void ConeBeam::Intersect(
-  const Ray& ray, double tBegin, double tEnd, std::vector<RayInterval>& stretches)
+void ConeBeam::Intersect(const Ray& ray, double tBegin, double tEnd, std::vector<RayInterval>& intervals)
 {
-  stretches.clear();
+  intervals.clear();
   const std::size_t count = this->Ids.size();
   if (count == 0 || !(tEnd > tBegin))
   {
@@ -189,29 +202,7 @@ void ConeBeam::Intersect(
     }
   }
 
-  int bin = 0;
-  const auto next = [&](bool set)
-  {
-    // The first bin from here on that is set, or not.
-    while (bin < Bins)
-    {
-      const std::uint64_t word = (set ? bits[bin / 64] : ~bits[bin / 64]) >> (bin % 64);
-      if (word)
-      {
-        bin += LowestBit(word);
-        return;
-      }
-      bin = (bin / 64 + 1) * 64;
-    }
-  };
-  for (next(true); bin < Bins; next(true))
-  {
-    RayInterval stretch;
-    stretch.Begin = tBegin + length * bin / Bins;
-    next(false);
-    stretch.End = bin < Bins ? tBegin + length * bin / Bins : tEnd;
-    stretches.push_back(stretch);
-  }
+  ListRuns(bits, { tBegin, tEnd }, intervals);
 }
 
 } // namespace shadowcones

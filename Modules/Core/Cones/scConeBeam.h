@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scConeBeam.h
- * @brief The stretches of many neighbouring rays inside cones. Internal to Core.
+ * @brief The intervals of many neighbouring rays inside cones. Internal to Core.
  *
  * Cones that a bundle of rays may meet are gathered once; each ray then meets all of them in one loop without branches.
  * Sorting intervals would cost more than meeting the cones: they are merged in bits, 128 along the ray, rounded outwards.
@@ -9,7 +9,7 @@
 #ifndef scConeBeam_h
 #define scConeBeam_h
 
-#include "scConeIntervals.h"
+#include "scConeHierarchy.h"
 #include "scRay.h"
 
 #include <array>
@@ -26,8 +26,8 @@ public:
 
   /// Gather the cones that rays between these four may meet: the corners of the bundle in turn.
   void Gather(const std::array<Ray, 4>& corners);
-  /// Stretches of [tBegin, tEnd] that hold all of a ray's points inside cones; ascending, apart from each other.
-  void Intersect(const Ray& ray, double tBegin, double tEnd, std::vector<RayInterval>& stretches);
+  /// Intervals of [tBegin, tEnd] that hold all of a ray's points inside cones; ascending, apart from each other.
+  void Intersect(const Ray& ray, double tBegin, double tEnd, std::vector<RayInterval>& intervals);
 
   std::size_t NumberOfCones() const { return this->Ids.size(); }
 

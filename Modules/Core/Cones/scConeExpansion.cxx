@@ -9,14 +9,6 @@ namespace shadowcones
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-/// Half angles stay below this (89.4 degrees), so that tan() is finite.
-constexpr double largestHalfAngle = 1.56;
-/// A disc's rim as a polygon around it.
-constexpr int rimPoints = 32;
-/// Meshes with more vertices are taken as their bounding sphere.
-constexpr std::size_t largestHull = 256;
-
 Vector3 DirectionOf(const ShadowVectorView& vectors, vtkIdType id)
 {
   const float* d = vectors.Directions + 3 * id;
@@ -61,115 +53,6 @@ double RadiusRatioAngle(
 }
 } // anonymous namespace
 
-LightExtent LightExtentOf(const Light& light)
-{
-  LightExtent extent;
-  extent.AtInfinity = IsAtInfinity(light);
-  if (extent.AtInfinity)
-  {
-    extent.Radius = light.Radius;
-    extent.Center = light.Normal;
-    return extent;
-  }
-  LightBoundingSphere(light, extent.Center, extent.Radius);
-  if (light.Shape == LightShape::Disc)
-  {
-    const Frame frame = FrameAround(light.Normal);
-    const double radius = light.Radius / std::cos(pi / rimPoints);
-    for (int i = 0; i < rimPoints; ++i)
-    {
-      const double angle = 2.0 * pi * i / rimPoints;
-      extent.Extremes.push_back(
-        light.Center + radius * std::cos(angle) * frame.U + radius * std::sin(angle) * frame.V);
-    }
-  }
-  else if (light.Shape == LightShape::Rectangle)
-  {
-    for (const double u : { -1.0, 1.0 })
-    {
-      for (const double v : { -1.0, 1.0 })
-      {
-        extent.Extremes.push_back(light.Center + u * light.AxisU + v * light.AxisV);
-      }
-    }
-  }
-  else if (light.Shape == LightShape::Mesh && light.Triangles.empty() && light.Vertices.size() <= largestHull)
-  {
-    extent.Extremes = light.Vertices;
-  }
-  else if (light.Shape == LightShape::Mesh && 3 * light.Triangles.size() <= largestHull)
-  {
-    for (const auto& triangle : light.Triangles)
-    {
-      extent.Extremes.insert(extent.Extremes.end(), triangle.begin(), triangle.end());
-    }
-  }
-  return extent;
-}
-
-LightExtent LightExtentOf(const double* emissionPoints, vtkIdType count)
-{
-  LightExtent extent;
-  Box bounds;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    bounds.Add(Vector3{ emissionPoints[3 * i], emissionPoints[3 * i + 1], emissionPoints[3 * i + 2] });
-  }
-  if (bounds.Empty())
-  {
-    return extent;
-  }
-  extent.Center = bounds.Center();
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const Vector3 p{ emissionPoints[3 * i], emissionPoints[3 * i + 1], emissionPoints[3 * i + 2] };
-    extent.Radius = std::max(extent.Radius, Length(p - extent.Center));
-  }
-  return extent;
-}
-
-void PenumbraAngles(
-  const LightExtent& light, const Vector3& center, const Vector3& axis, double baseRadius, double& outer, double& inner)
-{
-  if (light.AtInfinity)
-  {
-    // The mean of a few vectors is not quite the way from the middle of the Sun.
-    const double turn = std::atan2(Length(Cross(axis, light.Center)), Dot(axis, light.Center));
-    outer = std::min(light.Radius + turn, largestHalfAngle);
-    inner = -outer;
-    return;
-  }
-  if (light.Extremes.empty())
-  {
-    // Tangents to the sphere from the two points of the base's rim in the plane of axis and sphere.
-    const Vector3 offset = light.Center - center;
-    const double height = -Dot(offset, axis);
-    const double lateral = Length(offset + height * axis);
-    const auto spread = [&](double across) {
-      const double distance = std::hypot(across, height);
-      return light.Radius < distance ? std::asin(light.Radius / distance) : pi;
-    };
-    outer = std::atan2(baseRadius + lateral, height) + spread(baseRadius + lateral);
-    inner = std::atan2(baseRadius - lateral, height) - spread(baseRadius - lateral);
-    outer = std::min(outer, largestHalfAngle);
-    inner = std::clamp(inner, -largestHalfAngle, largestHalfAngle);
-    return;
-  }
-  outer = -largestHalfAngle;
-  inner = largestHalfAngle;
-  for (const Vector3& point : light.Extremes)
-  {
-    const Vector3 offset = point - center;
-    const double height = -Dot(offset, axis);
-    const double lateral = Length(offset + height * axis);
-    const double distance = std::max(height, 1e-12 * (lateral + baseRadius));
-    outer = std::max(outer, std::atan2(baseRadius + lateral, distance));
-    inner = std::min(inner, std::atan2(baseRadius - lateral, distance));
-  }
-  outer = std::min(outer, largestHalfAngle);
-  inner = std::max(inner, -largestHalfAngle);
-}
-
 void ExpandCone(const ShadowVectorView& vectors, const std::vector<vtkIdType>& members, const LightExtent& light,
   const ConeSetOptions& options, double planeRadius, Cone& cone)
 {
@@ -190,7 +73,7 @@ void ExpandCone(const ShadowVectorView& vectors, const std::vector<vtkIdType>& m
     case ConeExpansion::LightGeometry:
       break;
   }
-  cone.HalfAngle = std::clamp(options.ExpansionFraction * outer, -largestHalfAngle, largestHalfAngle);
+  cone.HalfAngle = std::clamp(options.ExpansionFraction * outer, -LargestHalfAngle, LargestHalfAngle);
 }
 
 } // namespace shadowcones

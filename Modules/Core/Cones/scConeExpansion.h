@@ -6,7 +6,10 @@
 #ifndef scConeExpansion_h
 #define scConeExpansion_h
 
+#include "scCone.h"
 #include "scConeSet.h"
+#include "scLightExtent.h"
+#include "scShadowVectorView.h"
 
 namespace shadowcones
 {

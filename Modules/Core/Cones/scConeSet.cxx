@@ -259,7 +259,7 @@ void TrimBase(std::vector<Crossing>& crossings, double maximum, const LightExten
   }
 }
 
-double LitShare(const std::vector<Crossing>& crossings)
+double LitFraction(const std::vector<Crossing>& crossings)
 {
   const auto lit =
     std::count_if(crossings.begin(), crossings.end(), [](const Crossing& crossing) { return crossing.Lit; });
@@ -331,19 +331,6 @@ std::vector<RaysOfLight> SplitByLight(const View& rays, std::size_t lights, cons
 }
 
 } // anonymous namespace
-
-std::vector<std::vector<Cone>> ConesOfLights(const std::vector<Cone>& cones, std::size_t count)
-{
-  std::vector<std::vector<Cone>> parts(count);
-  for (const Cone& cone : cones)
-  {
-    if (cone.LightId >= 0 && static_cast<std::size_t>(cone.LightId) < count)
-    {
-      parts[static_cast<std::size_t>(cone.LightId)].push_back(cone);
-    }
-  }
-  return parts;
-}
 
 const char* CheckConeSetOptions(const ConeSetOptions& options)
 {
@@ -418,8 +405,8 @@ bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, co
     return true;
   }
   ConeFitter fitter(vectors, light, options, result);
-  const double share = paths.Count > 0 ? 0.8 : 1.0;
-  if (!fitter.Run(monitor.Part(0.0, share)))
+  const double part = paths.Count > 0 ? 0.8 : 1.0;
+  if (!fitter.Run(monitor.Part(0.0, part)))
   {
     return false;
   }
@@ -432,14 +419,14 @@ bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, co
     return true;
   }
   std::vector<std::vector<Crossing>> crossings;
-  if (!CollectCrossings(paths, result.Cones, monitor.Part(share, 1.0), crossings))
+  if (!CollectCrossings(paths, result.Cones, monitor.Part(part, 1.0), crossings))
   {
     return false;
   }
   for (std::size_t i = 0; i < result.Cones.size(); ++i)
   {
     TrimBase(crossings[i], options.MaximumOverspill, light, options.Expansion, options.ExpansionFraction, result.Cones[i]);
-    result.Cones[i].Overspill = LitShare(crossings[i]);
+    result.Cones[i].Overspill = LitFraction(crossings[i]);
   }
   return true;
 }

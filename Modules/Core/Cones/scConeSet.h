@@ -1,71 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scConeSet.h
- * @brief Truncated cones, and fitting a set of them to shadow vectors (Hougs and Day, section 3.2).
+ * @brief Fitting a set of cones to shadow vectors (Hougs and Day, section 3.2).
  */
 #ifndef scConeSet_h
 #define scConeSet_h
 
 #include "ShadowConesCoreModule.h"
-#include "scLight.h"
+#include "scCone.h"
+#include "scLightExtent.h"
 #include "scParallel.h"
-#include "scVector3.h"
+#include "scPhotonPathView.h"
+#include "scShadowVectorView.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace shadowcones
 {
-
-/// Values of the array "ConeOrigin".
-enum class ConeOrigin : int
-{
-  Fitted = 0, ///< to shadow vectors
-  Grown = 1,  ///< fitted, then made larger to hold parts of occluders with all their shadow
-  Added = 2   ///< around parts of occluders
-};
-
-/// One cone: all points x with h = (x - Center) . Axis >= 0 and distance from the axis <= BaseRadius + h tan(HalfAngle).
-struct Cone
-{
-  Vector3 Center;              ///< of the base disc
-  Vector3 Axis;                ///< unit, away from the light
-  double BaseRadius = 0.0;     ///< world units
-  double HalfAngle = 0.0;      ///< outer half angle, radians, in (-pi/2, pi/2); negative: the cone converges to a tip
-  double InnerHalfAngle = 0.0; ///< of the umbra of the base disc, radians; negative: the umbra contracts to a tip
-  Vector3 Normal;              ///< unit, of the plane fitted to the vectors, on the side of Axis
-  int OccluderId = -1;         ///< the occluder of most of its vectors
-  int VectorCount = 0;         ///< vectors inside the base
-  double Planarity = 0.0;      ///< rms distance of the vectors from the base plane over BaseRadius
-  double Overspill = -1.0;     ///< share of lit photon paths among those through the base disc; -1: no paths were given
-  int LightId = 0;             ///< of the light whose shadow it bounds
-  ConeOrigin Origin = ConeOrigin::Fitted;
-};
-
-/// The cones of each of @p count lights, in their order.
-SHADOWCONESCORE_EXPORT std::vector<std::vector<Cone>> ConesOfLights(const std::vector<Cone>& cones, std::size_t count);
-
-/// Shadow vectors, not owned; three doubles or floats each.
-struct ShadowVectorView
-{
-  vtkIdType Count = 0;
-  const double* Points = nullptr;
-  const float* Directions = nullptr;      ///< unit, away from the light
-  const double* EmissionPoints = nullptr; ///< on the light
-  const int* OccluderIds = nullptr;       ///< one each, or nullptr: all 0
-  const int* LightIds = nullptr;          ///< one each, or nullptr: all 0
-};
-
-/// Photon paths, not owned.
-struct PhotonPathView
-{
-  vtkIdType Count = 0;
-  const double* Points = nullptr;         ///< where the path ends
-  const double* EmissionPoints = nullptr; ///< where it starts
-  const float* Directions = nullptr;
-  const int* States = nullptr;   ///< 0 lit, 1 blocked at Points
-  const int* LightIds = nullptr; ///< one each, or nullptr: all 0
-};
 
 enum class ConeExpansion : int
 {
@@ -73,28 +24,6 @@ enum class ConeExpansion : int
   RadiusRatio = 1,      ///< from the disc of the vectors' ends over the base disc; finds converging sets
   LightGeometry = 2     ///< outer penumbra cone of the base disc under the light: see PenumbraAngles
 };
-
-/// What the expansion of a cone needs to know of the light; see LightExtentOf.
-struct LightExtent
-{
-  bool AtInfinity = false; ///< a Sun: Radius is its angular radius, radians
-  std::vector<Vector3> Extremes; ///< points whose convex hull holds the light; empty: the sphere of Center and Radius
-  Vector3 Center;          ///< a Sun: the unit way that its light travels
-  double Radius = 0.0;
-};
-
-/// The extent of an exact light shape.
-SHADOWCONESCORE_EXPORT LightExtent LightExtentOf(const Light& light);
-/// The extent that emission points (3 values each) span: the sphere around their bounds.
-SHADOWCONESCORE_EXPORT LightExtent LightExtentOf(const double* emissionPoints, vtkIdType count);
-
-/**
- * Half angles of the outer cone (the penumbra's bound) and of the inner one (the umbra) of a base disc under the light:
- * the largest (r + rho) / d and the smallest (r - rho) / d over the light's points, with rho their distance from the cone's
- * axis and d their height above the base.
- */
-SHADOWCONESCORE_EXPORT void PenumbraAngles(
-  const LightExtent& light, const Vector3& center, const Vector3& axis, double baseRadius, double& outer, double& inner);
 
 enum class ConeLeftovers : int
 {
@@ -142,7 +71,6 @@ SHADOWCONESCORE_EXPORT bool FitConeSet(const ShadowVectorView& vectors, const Ph
 SHADOWCONESCORE_EXPORT bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths,
   const std::vector<LightExtent>& lights, const ConeSetOptions& options, const Monitor& monitor, ConeSet& result);
 
-/// nullptr, or what is wrong with the options.
 /// nullptr, or what is wrong with the options: a range that is left, or parameters with which no cone could be made.
 SHADOWCONESCORE_EXPORT const char* CheckConeSetOptions(const ConeSetOptions& options);
 

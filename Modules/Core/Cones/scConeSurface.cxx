@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scConeSurface.h"
 
+#include "scConstants.h"
+#include "scFrame.h"
+
 #include <algorithm>
 
 namespace shadowcones
@@ -31,14 +34,13 @@ double CutHeight(const ConeCut& cut, const Vector3& start, const Vector3& perHei
 void ConeGenerators(const Cone& cone, double halfAngle, int resolution, const ConeCut& cut,
   std::vector<ConeGenerator>& generators)
 {
-  constexpr double pi = 3.14159265358979323846;
   generators.clear();
   const Frame frame = FrameAround(cone.Axis);
   const double tangent = std::tan(halfAngle);
-  const double tip = tangent < 0.0 ? -cone.BaseRadius / tangent : HUGE_VAL;
+  const double tip = TipHeight(cone.BaseRadius, tangent);
   for (int i = 0; i < resolution; ++i)
   {
-    const double angle = 2.0 * pi * i / resolution;
+    const double angle = 2.0 * Pi * i / resolution;
     const Vector3 radial = std::cos(angle) * frame.U + std::sin(angle) * frame.V;
     const Vector3 perHeight = cone.Axis + tangent * radial;
     ConeGenerator generator;

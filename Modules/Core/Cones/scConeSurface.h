@@ -7,7 +7,7 @@
 #define scConeSurface_h
 
 #include "ShadowConesCoreModule.h"
-#include "scConeSet.h"
+#include "scCone.h"
 
 #include <vector>
 

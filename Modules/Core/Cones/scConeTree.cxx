@@ -2,6 +2,7 @@
 #include "scConeTree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -14,18 +15,10 @@ constexpr std::size_t leafSize = 4;
 constexpr double sliceAspect = 2.0;
 constexpr int largestNumberOfSlices = 16;
 
-double RadiusAt(const Cone& cone, double height)
-{
-  return std::max(0.0, cone.BaseRadius + height * std::tan(cone.HalfAngle));
-}
-
-void AddDisc(const Cone& cone, double height, Box& box)
+void AddDisc(const Cone& cone, double tangent, double height, Box& box)
 {
   const Vector3 center = cone.Center + height * cone.Axis;
-  const double radius = RadiusAt(cone, height);
-  const Vector3 extent{ radius * std::sqrt(std::max(0.0, 1.0 - cone.Axis.X * cone.Axis.X)),
-    radius * std::sqrt(std::max(0.0, 1.0 - cone.Axis.Y * cone.Axis.Y)),
-    radius * std::sqrt(std::max(0.0, 1.0 - cone.Axis.Z * cone.Axis.Z)) };
+  const Vector3 extent = DiscExtent(cone.Axis, RadiusAt(cone.BaseRadius, tangent, height));
   box.Add(center - extent);
   box.Add(center + extent);
 }
@@ -46,15 +39,6 @@ bool Overlap(const Box& a, const Box& b)
     a.Max.Z >= b.Min.Z;
 }
 
-/// Height of the box's farthest corner above the cone's base.
-double HighestCorner(const Cone& cone, const Box& box)
-{
-  Vector3 corner;
-  corner.X = cone.Axis.X >= 0.0 ? box.Max.X : box.Min.X;
-  corner.Y = cone.Axis.Y >= 0.0 ? box.Max.Y : box.Min.Y;
-  corner.Z = cone.Axis.Z >= 0.0 ? box.Max.Z : box.Min.Z;
-  return Dot(corner - cone.Center, cone.Axis);
-}
 } // anonymous namespace
 
 ConeTree ConeTree::OverSlices(const std::vector<Cone>& cones, const Box& bounds, double length)
@@ -63,16 +47,13 @@ ConeTree ConeTree::OverSlices(const std::vector<Cone>& cones, const Box& bounds,
   for (std::size_t i = 0; i < cones.size(); ++i)
   {
     const Cone& cone = cones[i];
-    double end = std::min(length, HighestCorner(cone, bounds));
-    if (cone.HalfAngle < 0.0)
-    {
-      end = std::min(end, cone.BaseRadius / std::tan(-cone.HalfAngle));
-    }
+    const double tangent = std::tan(cone.HalfAngle);
+    const double end = std::min({ length, HighestCorner(cone, bounds), TipHeight(cone.BaseRadius, tangent) });
     if (!(end >= 0.0))
     {
       continue;
     }
-    const double width = std::max(cone.BaseRadius, 0.5 * RadiusAt(cone, end));
+    const double width = std::max(cone.BaseRadius, 0.5 * RadiusAt(cone.BaseRadius, tangent, end));
     const int slices = width > 0.0
       ? static_cast<int>(std::clamp(std::ceil(end / (sliceAspect * width)), 1.0, double(largestNumberOfSlices)))
       : largestNumberOfSlices;
@@ -82,8 +63,8 @@ ConeTree ConeTree::OverSlices(const std::vector<Cone>& cones, const Box& bounds,
       entry.Cone = static_cast<int>(i);
       entry.Low = end * slice / slices;
       entry.High = end * (slice + 1) / slices;
-      AddDisc(cone, entry.Low, entry.Bounds);
-      AddDisc(cone, entry.High, entry.Bounds);
+      AddDisc(cone, tangent, entry.Low, entry.Bounds);
+      AddDisc(cone, tangent, entry.High, entry.Bounds);
       Grow(entry.Bounds);
       if (Overlap(entry.Bounds, bounds))
       {
@@ -100,7 +81,7 @@ ConeTree ConeTree::OverBases(const std::vector<Cone>& cones)
   for (std::size_t i = 0; i < cones.size(); ++i)
   {
     entries[i].Cone = static_cast<int>(i);
-    AddDisc(cones[i], 0.0, entries[i].Bounds);
+    AddDisc(cones[i], 0.0, 0.0, entries[i].Bounds);
     Grow(entries[i].Bounds);
   }
   return ConeTree(std::move(entries));

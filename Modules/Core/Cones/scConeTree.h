@@ -6,7 +6,7 @@
 #ifndef scConeTree_h
 #define scConeTree_h
 
-#include "scConeSet.h"
+#include "scCone.h"
 
 #include <vector>
 

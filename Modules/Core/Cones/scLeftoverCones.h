@@ -7,6 +7,8 @@
 #define scLeftoverCones_h
 
 #include "scConeSet.h"
+#include "scLightExtent.h"
+#include "scShadowVectorView.h"
 
 namespace shadowcones
 {

@@ -6,7 +6,7 @@
 #ifndef scNearestVectors_h
 #define scNearestVectors_h
 
-#include "scVector3.h"
+#include "scBox.h"
 #include "vtkType.h"
 
 #include <memory>

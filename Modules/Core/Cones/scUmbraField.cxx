@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scUmbraField.h"
 
+#include "scConstants.h"
+#include "scFrame.h"
+#include "scLightExtent.h"
+#include "scLightSampling.h"
 #include "scRandom.h"
 
 #include <algorithm>
@@ -15,12 +19,11 @@ constexpr int pointsOnSphere = 256;
 constexpr int pointsOnRim = 32;
 /// Points of a block see the same discs.
 constexpr int blockSide = 4;
-constexpr double pi = 3.14159265358979323846;
 
 Vector3 OnCircle(const Vector3& axis, double radius, int k)
 {
   const Frame frame = FrameAround(axis);
-  const double angle = 2.0 * pi * k / pointsOnRim;
+  const double angle = 2.0 * Pi * k / pointsOnRim;
   return radius * (std::cos(angle) * frame.U + std::sin(angle) * frame.V);
 }
 } // anonymous namespace
@@ -30,27 +33,27 @@ UmbraField::UmbraField(const std::vector<Cone>& cones, const Light& light, doubl
   const LightExtent extent = LightExtentOf(light);
   for (const Vector3& extreme : extent.Extremes)
   {
-    this->Sources.push_back({ extreme, 1.0 });
+    this->Points.push_back({ extreme, 1.0 });
   }
   if (extent.AtInfinity)
   {
     for (int k = 0; k < pointsOnRim; ++k)
     {
       const Vector3 rim = -std::cos(light.Radius) * light.Normal + OnCircle(light.Normal, std::sin(light.Radius), k);
-      this->Sources.push_back({ rim, 0.0 });
+      this->Points.push_back({ rim, 0.0 });
     }
   }
   const int samples = extent.Extremes.empty() && !extent.AtInfinity ? pointsOnSphere : pointsInside;
   for (int k = 0; k < samples; ++k)
   {
     const auto point = SobolPoint(1, static_cast<std::uint32_t>(k));
-    this->Sources.push_back({ SampleLightArea(light, point[0], point[1]).Position, extent.AtInfinity ? 0.0 : 1.0 });
+    this->Points.push_back({ SampleLightArea(light, point[0], point[1]).Position, extent.AtInfinity ? 0.0 : 1.0 });
   }
 
   for (Cone cone : cones)
   {
     PenumbraAngles(extent, cone.Center, cone.Axis, cone.BaseRadius, cone.HalfAngle, cone.InnerHalfAngle);
-    ConeField penumbra({ cone }, ConeBound::Outer, length, bounds);
+    ConeDistanceField penumbra({ cone }, ConeBound::Outer, length, bounds);
     if (cone.BaseRadius > 0.0 && !penumbra.Region().Empty())
     {
       this->Discs.push_back({ cone.Center, cone.Axis, cone.BaseRadius, length });
@@ -63,9 +66,9 @@ UmbraField::UmbraField(const std::vector<Cone>& cones, const Light& light, doubl
 double UmbraField::Value(const Vector3& point, const std::vector<int>& candidates, double largest) const
 {
   double value = -largest;
-  for (const Source& source : this->Sources)
+  for (const PointOfLight& lit : this->Points)
   {
-    const Vector3 toLight = source.Position - source.Scale * point;
+    const Vector3 toLight = lit.Position - lit.Scale * point;
     double nearest = largest;
     for (const int index : candidates)
     {
@@ -73,7 +76,7 @@ double UmbraField::Value(const Vector3& point, const std::vector<int>& candidate
       const Vector3 offset = point - disc.Center;
       const double height = Dot(offset, disc.Axis);
       const double slope = -Dot(toLight, disc.Axis);
-      if (!(slope > 0.0) || source.Scale * height > slope)
+      if (!(slope > 0.0) || lit.Scale * height > slope)
       {
         continue; // the light's point is not on the other side of the disc
       }
@@ -104,7 +107,7 @@ double UmbraField::Value(const Vector3& point) const
   return this->Value(point, all, HUGE_VAL);
 }
 
-bool UmbraField::Sample(const FieldGrid& grid, const Box& region, const Monitor& monitor, float* values) const
+bool UmbraField::Sample(const RegularGrid& grid, const Box& region, const Monitor& monitor, float* values) const
 {
   const double largest = 2.0 * Length(grid.Spacing);
   vtkIdType blocks[3];
@@ -158,7 +161,7 @@ bool UmbraField::Sample(const FieldGrid& grid, const Box& region, const Monitor&
 
 Box UmbraField::Find(const Box& region, int resolution, const Monitor& monitor) const
 {
-  const FieldGrid grid = GridOver(region, resolution);
+  const RegularGrid grid = GridOver(region, resolution);
   std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
   Box found;
   if (!this->Sample(grid, region, monitor, values.data()))

@@ -6,8 +6,9 @@
 #ifndef scUmbraField_h
 #define scUmbraField_h
 
-#include "scConeField.h"
+#include "scConeDistanceField.h"
 #include "scLight.h"
+#include "scRegularGrid.h"
 
 namespace shadowcones
 {
@@ -33,7 +34,7 @@ public:
    * The field at the points of a grid, clipped to @p region; values farther than two cells from 0 are cut off. @return
    * false where aborted.
    */
-  bool Sample(const FieldGrid& grid, const Box& region, const Monitor& monitor, float* values) const;
+  bool Sample(const RegularGrid& grid, const Box& region, const Monitor& monitor, float* values) const;
 
   /// The box around the umbra within a box, to about a cell of a grid of @p resolution; empty where none is found, or
   /// aborted.
@@ -48,7 +49,7 @@ private:
     double Height; ///< cut
   };
   /// A point of the light, or with Scale 0 a direction towards it.
-  struct Source
+  struct PointOfLight
   {
     Vector3 Position;
     double Scale;
@@ -56,8 +57,8 @@ private:
   double Value(const Vector3& point, const std::vector<int>& candidates, double largest) const;
 
   std::vector<Disc> Discs;
-  std::vector<Source> Sources;
-  std::vector<ConeField> Penumbrae; ///< of each disc: what it can shade
+  std::vector<PointOfLight> Points;
+  std::vector<ConeDistanceField> Penumbrae; ///< of each disc: what it can shade
   Box Extent;
 };
 

@@ -20,7 +20,7 @@ constexpr int mostFirstSamples = 32;
 constexpr double safety = 1.5;
 /// Where samples are this many times as wrong as wanted more of them are taken.
 constexpr double farOff = 1.5;
-/// The error of n samples is about this share of the light in the stretches, over n^(3/4), where nothing is known yet.
+/// The error of n samples is about this share of the light in the intervals, over n^(3/4), where nothing is known yet.
 constexpr double expectedSpread = 0.3;
 /// An edge of the shadow may lie anywhere in the part of one sample: 1 / sqrt(12), once.
 constexpr double edgeSpread = 0.29;
@@ -57,49 +57,48 @@ const LightSequence& Sequence()
 }
 } // anonymous namespace
 
-BlockedLight::BlockedLight(
-  const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups)
-  : Scene(scene)
-  , Options(options)
-  , Groups(groups)
-  , Sampler(scene.Source, options.Sampling)
-  , Depth(scene.Fog)
-  , Rules(scene.Occluders.RulesFor(FlatFaceOf(scene.Source)))
+BlockedLight::BlockedLight(const RenderContext& context)
+  : Scene(context.Scene)
+  , Options(context.Options)
+  , Groups(context.Groups)
+  , Sampler(context.Scene.Light, context.Options.Sampling)
+  , OpticalDepth(context.Scene.Medium)
+  , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
 {
   Sequence();
 }
 
-bool BlockedLight::Begin(const LitSums& lit, const std::vector<RayInterval>& stretches)
+bool BlockedLight::Begin(const LitSums& lit, const std::vector<RayInterval>& intervals)
 {
   this->Samples = 0;
   this->OcclusionRays = 0;
   this->Forget();
   this->Inside.assign(static_cast<std::size_t>(this->Groups.Count()), 0.0);
   this->MeanInside = 0.0;
-  this->Stretches.clear();
+  this->LightIntervals.clear();
   this->Distributed = 0.0;
-  const double all = lit.SumUpTo(lit.PlaceOf(lit.End()));
-  for (const RayInterval& stretch : stretches)
+  const double all = lit.SumUpTo(lit.CellAt(lit.End()));
+  for (const RayInterval& interval : intervals)
   {
-    const double begin = std::min(lit.SumUpTo(lit.PlaceOf(stretch.Begin)), all);
-    const double end = std::min(lit.SumUpTo(lit.PlaceOf(stretch.End)), all);
+    const double begin = std::min(lit.SumUpTo(lit.CellAt(interval.Begin)), all);
+    const double end = std::min(lit.SumUpTo(lit.CellAt(interval.End)), all);
     if (end > begin)
     {
-      this->Stretches.push_back({ begin, end - begin, this->Distributed });
+      this->LightIntervals.push_back({ begin, end - begin, this->Distributed });
       this->Distributed += end - begin;
-      lit.AddBetween(stretch.Begin, stretch.End, this->Inside);
+      lit.AddBetween(interval.Begin, interval.End, this->Inside);
     }
   }
   for (std::size_t g = 0; g < this->Inside.size(); ++g)
   {
-    this->MeanInside += this->Groups.MeanSource[g] * this->Inside[g];
+    this->MeanInside += this->Groups.MeanScatteredRadiance[g] * this->Inside[g];
   }
   if (!(this->Distributed > 0.0))
   {
     return false;
   }
-  const LitPixel& pixel = lit.Source();
-  this->Depth.SetRay(pixel.Line.Origin, pixel.Line.Direction, pixel.Span.MediumBegin, pixel.Span.End);
+  const LitPixel& pixel = lit.Profile();
+  this->OpticalDepth.SetRay(pixel.Line.Origin, pixel.Line.Direction, pixel.Interval.MediumBegin, pixel.Interval.End);
   return true;
 }
 
@@ -113,24 +112,24 @@ void BlockedLight::Forget()
 }
 
 void BlockedLight::EstimateFrom(
-  int count, const LitSums& lit, const std::vector<RayInterval>& stretches, std::uint64_t seed)
+  int count, const LitSums& lit, const std::vector<RayInterval>& intervals, std::uint64_t seed)
 {
-  if (this->Begin(lit, stretches))
+  if (this->Begin(lit, intervals))
   {
     this->Sample(lit, count, HashSeed(seed, 0));
   }
   this->Conclude(lit, 0.0);
 }
 
-void BlockedLight::Look(const LitSums& lit, const std::vector<RayInterval>& stretches, const Yardstick& yardstick,
-  std::uint64_t seed)
+void BlockedLight::Look(
+  const LitSums& lit, const std::vector<RayInterval>& intervals, const Yardstick& yardstick, std::uint64_t seed)
 {
   this->Lit = &lit;
   this->Measure = yardstick;
   this->Seed = seed;
   this->Wanted = 0.0;
   const double goal = this->Options.RelativeErrorGoal;
-  if (!this->Begin(lit, stretches))
+  if (!this->Begin(lit, intervals))
   {
     this->Conclude(lit, yardstick.LitError);
     return;
@@ -249,8 +248,8 @@ void BlockedLight::Conclude(const LitSums& lit, double litError)
   double visible = 0.0;
   for (std::size_t g = 0; g < whole.size(); ++g)
   {
-    all += this->Groups.MeanSource[g] * this->All[g];
-    visible += this->Groups.MeanSource[g] * this->Visible[g];
+    all += this->Groups.MeanScatteredRadiance[g] * this->All[g];
+    visible += this->Groups.MeanScatteredRadiance[g] * this->Visible[g];
   }
   this->Ratio = all > 0.0 ? visible / all : 1.0;
   this->PerAll = all > 0.0 ? this->MeanInside * this->SumOfWeights / all : 0.0;
@@ -259,40 +258,42 @@ void BlockedLight::Conclude(const LitSums& lit, double litError)
   {
     const double ratio = this->All[g] > 0.0 ? this->Visible[g] / this->All[g] : this->Ratio;
     this->LeftOfGroups[g] = whole[g] - this->Inside[g] * (1.0 - ratio);
-    this->MeanLeft += this->Groups.MeanSource[g] * this->LeftOfGroups[g];
+    this->MeanLeft += this->Groups.MeanScatteredRadiance[g] * this->LeftOfGroups[g];
   }
   for (const Pass& pass : this->Passes)
   {
     const double weight = pass.Weight / this->SumOfWeights;
     this->SampledVariance += weight * weight * (this->EdgeVariance(pass) + this->UnseenVariance(pass));
   }
-  // The unshadowed term enters by its sum in the stretches times the ratio, and by what lies outside of them.
+  // The unshadowed term enters by its sum in the intervals times the ratio, and by what lies outside of them.
   const bool outside = lit.Mean() > (1.0 + 1e-9) * this->MeanInside;
   const double hidden = outside ? 1.0 - this->Ratio : 0.0;
   this->SquaredError =
     this->SampledVariance + litError * litError * (this->Ratio * this->Ratio + hidden * hidden);
 }
 
-double BlockedLight::MoveTo(double light, const LitSums& lit, Place& place) const
+double BlockedLight::MoveTo(double light, const LitSums& lit, Node& node) const
 {
-  while (place.Stretch + 1 < this->Stretches.size() && light >= this->Stretches[place.Stretch + 1].Before)
+  while (node.LightInterval + 1 < this->LightIntervals.size() &&
+    light >= this->LightIntervals[node.LightInterval + 1].Before)
   {
-    ++place.Stretch;
+    ++node.LightInterval;
   }
-  const Stretch& stretch = this->Stretches[place.Stretch];
-  const double target = stretch.Begin + (light - stretch.Before);
-  while (place.Cell + 1 < cells && target >= lit.SumUpTo({ place.Cell, 1.0 }))
+  const LightInterval& interval = this->LightIntervals[node.LightInterval];
+  const double target = interval.Begin + (light - interval.Before);
+  while (node.Cell + 1 < cells && target >= lit.SumUpTo({ node.Cell, 1.0 }))
   {
-    ++place.Cell;
+    ++node.Cell;
   }
-  const double inCell = lit.Of(place.Cell);
-  const double share = inCell > 0.0 ? std::clamp((target - lit.SumUpTo({ place.Cell, 0.0 })) / inCell, 0.0, 1.0) : 0.5;
-  return lit.DistanceOf({ place.Cell, share });
+  const double inCell = lit.Of(node.Cell);
+  const double fraction =
+    inCell > 0.0 ? std::clamp((target - lit.SumUpTo({ node.Cell, 0.0 })) / inCell, 0.0, 1.0) : 0.5;
+  return lit.DistanceOf({ node.Cell, fraction });
 }
 
 void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
 {
-  const Ray& ray = lit.Source().Line;
+  const Ray& ray = lit.Profile().Line;
   const int groups = this->Groups.Count();
   const OccluderScene& occluders = this->Scene.Occluders;
   const LightSequence& sequence = Sequence();
@@ -303,7 +304,7 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
   std::uint32_t scrambleU = 0;
   std::uint32_t scrambleV = 0;
 
-  Place place;
+  Node node;
   double allBefore = 0.0;
   double visibleBefore = 0.0;
   for (int k = 0; k < count; ++k)
@@ -315,8 +316,8 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
       scrambleU = static_cast<std::uint32_t>(scramble >> 32);
       scrambleV = static_cast<std::uint32_t>(scramble);
     }
-    const double t = this->MoveTo((k + random.Next()) / count * this->Distributed, lit, place);
-    const double inCell = lit.Of(place.Cell);
+    const double t = this->MoveTo((k + random.Next()) / count * this->Distributed, lit, node);
+    const double inCell = lit.Of(node.Cell);
     const Vector3 point = ray.Origin + t * ray.Direction;
 
     this->Sampler.MoveTo(point);
@@ -328,18 +329,19 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
     {
       this->OcclusionRays += 1;
       const bool blocked = occluders.Occluded(point, sample.Direction, 0.0, sample.Distance, this->Rules);
-      const double source = sample.Weight * this->Depth.DensityAt(point) *
-        EvaluatePhaseFunction(this->Scene.Fog.Phase, Dot(sample.Direction, ray.Direction));
-      const double depth = this->Depth.Along(t) + this->Depth.Towards(point, sample.Direction, sample.Distance);
-      // Over the density of places: the light in the cell per its width, over all of the stretches' light.
-      const double weight = this->Distributed * lit.Width(place.Cell) / inCell / count;
+      const double source = sample.Weight * this->OpticalDepth.DensityAt(point) *
+        EvaluatePhaseFunction(this->Scene.Medium.Phase, Dot(sample.Direction, ray.Direction));
+      const double depth =
+        this->OpticalDepth.Along(t) + this->OpticalDepth.Towards(point, sample.Direction, sample.Distance);
+      // Over the density of places: the light in the cell per its width, over all of the intervals' light.
+      const double weight = this->Distributed * lit.Width(node.Cell) / inCell / count;
       for (int g = 0; g < groups; ++g)
       {
         const auto group = static_cast<std::size_t>(g);
         const double part = weight * source * TransmittanceOver(this->Groups.SigmaT[group], depth);
         this->All[group] += pass.Weight * part;
         this->Visible[group] += blocked ? 0.0 : pass.Weight * part;
-        all += this->Groups.MeanSource[group] * part;
+        all += this->Groups.MeanScatteredRadiance[group] * part;
       }
       visible = blocked ? 0.0 : all;
       pass.NumberOfLit += 1;

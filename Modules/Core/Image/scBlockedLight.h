@@ -3,9 +3,9 @@
  * @file scBlockedLight.h
  * @brief What occluders leave of the medium term of a camera ray, by occlusion rays. Internal to Core.
  *
- * The unshadowed term is known in 64 cells of the ray: see scLitProfile.h. Where cones allow for shadow, samples are
- * taken at places spread evenly over the unshadowed light in these stretches, each with a light point of its own: of
- * the n places and light points every n-th part holds one. What is visible in the stretches is their unshadowed light
+ * The unshadowed term is known in 64 cells of the ray: see scLitProfileLayout.h. Where cones allow for shadow, samples are
+ * taken at places spread evenly over the unshadowed light in these intervals, each with a light point of its own: of
+ * the n places and light points every n-th part holds one. What is visible in the intervals is their unshadowed light
  * times a ratio of two sums over the same samples: the light of those that see the lamp over the light of all. So
  * nothing is left where all are blocked, all is left where none is, and an error of the unshadowed term is as large,
  * relatively, in what is left.
@@ -13,11 +13,12 @@
 #ifndef scBlockedLight_h
 #define scBlockedLight_h
 
-#include "scExtinction.h"
 #include "scLightSampler.h"
 #include "scLitSums.h"
-#include "scMediumDepth.h"
-#include "scScatteringImage.h"
+#include "scMediumOpticalDepth.h"
+#include "scOccluderScene.h"
+#include "scRayInterval.h"
+#include "scRenderContext.h"
 
 #include <cstdint>
 #include <vector>
@@ -28,7 +29,7 @@ namespace shadowcones
 class BlockedLight
 {
 public:
-  BlockedLight(const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups);
+  explicit BlockedLight(const RenderContext& context);
 
   /// Against what errors are measured, means over wavelengths.
   struct Yardstick
@@ -39,12 +40,12 @@ public:
   /**
    * A first look at a ray, which tells how many samples it needs and is not part of the result: stopping when all looks
    * well is biased towards light, where samples miss a shadow.
-   * @param lit up to where occlusion rays may start; @param stretches ascending; @param seed of the pixel. The sums
+   * @param lit up to where occlusion rays may start; @param intervals ascending; @param seed of the pixel. The sums
    * must live until Estimate().
    */
-  void Look(const LitSums& lit, const std::vector<RayInterval>& stretches, const Yardstick& yardstick,
-    std::uint64_t seed);
-  /// Is there an estimate to be made, and did the look see no light in the stretches?
+  void Look(
+    const LitSums& lit, const std::vector<RayInterval>& intervals, const Yardstick& yardstick, std::uint64_t seed);
+  /// Is there an estimate to be made, and did the look see no light in the intervals?
   bool LooksDark() const { return this->Wanted > 0.0 && this->Ratio == 0.0; }
   /// Did any sample see the lamp?
   bool SeesLight() const { return !this->Passes.empty() && this->Ratio > 0.0; }
@@ -57,7 +58,7 @@ public:
    */
   void Estimate(int most);
   /// The same from this many samples.
-  void EstimateFrom(int count, const LitSums& lit, const std::vector<RayInterval>& stretches, std::uint64_t seed);
+  void EstimateFrom(int count, const LitSums& lit, const std::vector<RayInterval>& intervals, std::uint64_t seed);
 
   /// Results of the last estimate: what is left of every group, and of the mean over wavelengths its squared error.
   const std::vector<double>& Left() const { return this->LeftOfGroups; }
@@ -66,8 +67,8 @@ public:
   vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
 
 private:
-  /// A stretch in the unshadowed light: from where to where, and how much came in stretches before.
-  struct Stretch
+  /// A interval in the unshadowed light: from where to where, and how much came in intervals before.
+  struct LightInterval
   {
     double Begin = 0.0;
     double Light = 0.0;
@@ -85,14 +86,14 @@ private:
     double VisibleVisible = 0.0;
   };
   /// Where a sample is; samples ascend.
-  struct Place
+  struct Node
   {
-    std::size_t Stretch = 0;
+    std::size_t LightInterval = 0;
     int Cell = 0;
   };
-  /// To where so much of the light in the stretches lies before. @return the distance along the ray.
-  double MoveTo(double light, const LitSums& lit, Place& place) const;
-  bool Begin(const LitSums& lit, const std::vector<RayInterval>& stretches);
+  /// To where so much of the light in the intervals lies before. @return the distance along the ray.
+  double MoveTo(double light, const LitSums& lit, Node& node) const;
+  bool Begin(const LitSums& lit, const std::vector<RayInterval>& intervals);
   void Sample(const LitSums& lit, int count, std::uint64_t seed);
   void Forget();
   void Conclude(const LitSums& lit, double litError);
@@ -109,14 +110,14 @@ private:
   const ScatteringOptions& Options;
   const ExtinctionGroups& Groups;
   LightSampler Sampler;
-  MediumDepth Depth;
+  MediumOpticalDepth OpticalDepth;
   const RayRules Rules; ///< for what is flush with the light
   const LitSums* Lit = nullptr;
   Yardstick Measure;
   std::uint64_t Seed = 0;
   double Wanted = 0.0; ///< samples of the next pass; 0: nothing to do
-  std::vector<Stretch> Stretches;
-  std::vector<double> Inside;  ///< unshadowed light in the stretches, per group
+  std::vector<LightInterval> LightIntervals;
+  std::vector<double> Inside;  ///< unshadowed light in the intervals, per group
   double MeanInside = 0.0;     ///< over wavelengths
   double Distributed = 0.0;    ///< the same by the distribution of places
   std::vector<Pass> Passes;

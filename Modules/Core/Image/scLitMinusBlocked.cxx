@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scLitMinusBlocked.h"
 
+#include "scMediumInterval.h"
 #include "scRandom.h"
-#include "scVisibilityField.h"
+#include "scVisibilityGridSampler.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace shadowcones
 {
@@ -17,14 +17,7 @@ constexpr int blockSide = 8;
 /// Largest error of the unshadowed light over itself, and this share of what Guided's pixels may err by. Rays that are
 /// not checked err by half of it, say.
 constexpr double litTolerance = 1e-3;
-constexpr double litShare = 0.2;
-/// Pixels darker than this share of the image's mean are sampled as if they had it: of the mean unshadowed light what
-/// that is read from, of what the image shows what is sampled.
-constexpr double darkestShare = 0.1;
-/// The image's mean is looked at along so many rays by so many, with samples each; at less than one in all of them it
-/// is not known.
-constexpr int lookSide = 8;
-constexpr int lookSamples = 16;
+constexpr double litFraction = 0.2;
 /// A pixel whose look sees no light takes no more samples than this, where none of so many a pixel does in all its
 /// block.
 constexpr int darkSamples = 64;
@@ -33,100 +26,28 @@ constexpr int blockSamples = 16;
 double LitTolerance(const ScatteringOptions& options)
 {
   const double goal = options.Mode == ScatteringMode::Guided ? options.RelativeErrorGoal : 0.0;
-  return goal > 0.0 ? std::min(litTolerance, litShare * goal) : litTolerance;
+  return goal > 0.0 ? std::min(litTolerance, litFraction * goal) : litTolerance;
 }
 
-PrimaryHit NearestSurface(const OccluderScene& occluders, const Ray& ray)
-{
-  PrimaryHit hit;
-  RayHit surface;
-  if (occluders.Intersect(ray.Origin, ray.Direction, 0.0, HUGE_VAL, surface))
-  {
-    hit.T = surface.T;
-    hit.Triangle = surface.Triangle;
-  }
-  return hit;
-}
-
-/// The image's mean over wavelengths, from few samples of rays all over it, whatever part of it is asked for.
-double LookAtImage(const LitMinusBlockedScene& shared)
-{
-  const ScatteringScene& scene = shared.Scene;
-  const int width = shared.Options.Width;
-  const int height = shared.Options.Height;
-  LitProfiler profiler(shared.Lit);
-  LitSums sums(shared.Groups);
-  MediumDepth depth(scene.Fog);
-  BlockedLight blocked(scene, shared.Options, shared.Groups);
-  LitPixel pixel;
-  pixel.Values.resize(shared.Lit.Layout.Size());
-  double shown = 0.0;
-  for (int k = 0; k < lookSide * lookSide; ++k)
-  {
-    pixel.Line = scene.Eye.PixelRay(
-      (k % lookSide + 0.5) * width / lookSide, (k / lookSide + 0.5) * height / lookSide, width, height);
-    pixel.Span = shared.Lit.Spans.Find(pixel.Line);
-    const MediumSegment segment = SegmentInside(
-      scene.Fog.Bounds, scene.Occluders, pixel.Line, NearestSurface(scene.Occluders, pixel.Line));
-    if (!segment.Crosses || pixel.Span.Empty())
-    {
-      continue;
-    }
-    profiler.Evaluate(pixel.Line, pixel.Span, shared.Lit.FirstLevel(), pixel.Values.data());
-    FinishPixel(shared.Lit, pixel);
-    depth.SetRay(pixel.Line.Origin, pixel.Line.Direction, pixel.Span.MediumBegin, pixel.Span.End);
-    sums.Add(pixel, segment.EndOfMarch, depth.IsHomogeneous() ? nullptr : &depth);
-    sums.Accumulate();
-    blocked.EstimateFrom(lookSamples, sums, { { segment.Begin, segment.EndOfMarch, -1 } },
-      HashSeed(shared.Options.Seed, static_cast<std::uint64_t>(k)));
-    for (std::size_t g = 0; g < blocked.Left().size(); ++g)
-    {
-      shown += shared.Groups.MeanSource[g] * blocked.Left()[g];
-    }
-  }
-  const double rays = lookSide * lookSide;
-  return std::max(shown / rays, shared.TypicalMean / (rays * lookSamples));
-}
 } // anonymous namespace
 
-LitMinusBlockedScene::LitMinusBlockedScene(
-  const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups)
-  : Scene(scene)
-  , Options(options)
-  , Groups(groups)
-  , Lit(scene.Source, scene.Fog, groups)
-  , TypicalSums(TypicalLitSums(this->Lit, scene.Eye, options.Width, options.Height))
-  , TypicalMean(std::inner_product(groups.MeanSource.begin(), groups.MeanSource.end(), TypicalSums.begin(), 0.0))
-{
-  if (scene.Visibility && options.Mode != ScatteringMode::Guided)
-  {
-    this->Field = std::make_unique<VisibilityField>(*scene.Visibility);
-  }
-  if (options.Mode == ScatteringMode::Guided)
-  {
-    this->Darkest = darkestShare * LookAtImage(*this);
-  }
-}
-
-LitMinusBlockedScene::~LitMinusBlockedScene() = default;
-
-LitMinusBlocked::LitMinusBlocked(const LitMinusBlockedScene& shared, const ScatteringOptions& options,
-  const PrimaryHits& hits, ScatteringImage& image)
+LitMinusBlocked::LitMinusBlocked(const LitMinusBlockedScene& shared, const PrimaryHits& hits, ScatteringImage& image)
   : Shared(shared)
-  , Options(options)
+  , Scene(shared.Context.Scene)
+  , Options(shared.Context.Options)
+  , Groups(shared.Context.Groups)
   , Hits(hits)
   , Image(image)
-  , Tile(shared.Lit, shared.Scene.Eye, shared.Options.Width, shared.Options.Height,
-      LitTolerance(shared.Options), shared.TypicalSums)
-  , Sums(shared.Groups)
-  , Depth(shared.Scene.Fog)
-  , Blocked(shared.Scene, shared.Options, shared.Groups)
-  , OtherSums(shared.Groups)
-  , OtherBlocked(shared.Scene, shared.Options, shared.Groups)
+  , Tile(shared.Lit, Scene.Camera, Options.Width, Options.Height, LitTolerance(Options), shared.TypicalSums)
+  , Sums(Groups)
+  , OpticalDepth(Scene.Medium)
+  , Blocked(shared.Context)
+  , OtherSums(Groups)
+  , OtherBlocked(shared.Context)
 {
-  if (shared.Scene.Cones && shared.Options.Mode == ScatteringMode::Guided)
+  if (this->Scene.Cones && this->Options.Mode == ScatteringMode::Guided)
   {
-    this->Beam = std::make_unique<ConeBeam>(*shared.Scene.Cones);
+    this->Beam = std::make_unique<ConeBeam>(*this->Scene.Cones);
   }
 }
 
@@ -161,15 +82,16 @@ void LitMinusBlocked::RenderBlock(const TileRange& block)
     }
     this->Beam->Gather(rays);
   }
-  if (this->Shared.Field)
+  if (this->Shared.Grid)
   {
     bool alike = true;
     for (std::size_t k = 0; k < 4; ++k)
     {
       this->Tile.Interpolate(corners[k][0], corners[k][1], this->Corners[k]);
-      alike = alike && !this->Corners[k].Span.Empty() && this->Corners[k].Span.Faces == this->Corners[0].Span.Faces;
+      alike = alike && !this->Corners[k].Interval.Empty() &&
+        this->Corners[k].Interval.Faces == this->Corners[0].Interval.Faces;
     }
-    this->CellsInShadow = alike ? this->Shared.Field->CellsInShadow(this->Corners) : ~std::uint64_t(0);
+    this->CellsInShadow = alike ? this->Shared.Grid->CellsInShadow(this->Corners) : ~std::uint64_t(0);
   }
   for (int j = block.J0; j <= block.J1; ++j)
   {
@@ -182,9 +104,8 @@ void LitMinusBlocked::RenderBlock(const TileRange& block)
 
 void LitMinusBlocked::RenderPixel(int i, int j)
 {
-  const ScatteringOptions& options = this->Options;
-  const ExtinctionGroups& groups = this->Shared.Groups;
-  const std::uint64_t seed = HashSeed(options.Seed, PixelIndex(options, i, j));
+  const ExtinctionGroups& groups = this->Groups;
+  const std::uint64_t seed = HashSeed(this->Options.Seed, PixelIndex(this->Options, i, j));
   this->Hits.RaysOf(i, j, this->Rays);
   this->LeftOfPixel.assign(static_cast<std::size_t>(groups.Count()), 0.0);
   double variance = 0.0;
@@ -201,35 +122,35 @@ void LitMinusBlocked::RenderPixel(int i, int j)
     any = true;
     for (std::size_t g = 0; g < this->Left.size(); ++g)
     {
-      this->LeftOfPixel[g] += part.Share * this->Left[g];
+      this->LeftOfPixel[g] += part.Fraction * this->Left[g];
     }
-    variance += part.Share * part.Share * this->Variance;
+    variance += part.Fraction * part.Fraction * this->Variance;
     samples += this->Samples;
   }
   if (!any)
   {
     return;
   }
-  const std::size_t index = IndexInExtent(options, i, j);
+  const std::size_t index = this->Image.IndexOf(i, j);
   this->Image.SampleCount[index] = samples;
   const double mean =
-    groups.ToRadiance(this->LeftOfPixel, this->Image.InScattering.data() + index * groups.Source.size());
+    groups.ToRadiance(this->LeftOfPixel, this->Image.InScattering.data() + index * groups.ScatteredRadiance.size());
   // An estimate of nothing may stand for something: it is wrong by all of it.
   const double relative = mean > 0.0 ? std::sqrt(variance) / mean : (variance > 0.0 ? 1.0 : 0.0);
-  const bool known = options.Mode == ScatteringMode::Guided;
+  const bool known = this->Options.Mode == ScatteringMode::Guided;
   this->Image.RelativeError[index] = known ? static_cast<float>(relative) : -1.0f;
   this->Image.MediumError[index] = known ? static_cast<float>(std::sqrt(variance)) : -1.0f;
 }
 
-void LitMinusBlocked::FindStretches(const Ray& ray, const MediumSegment& segment)
+void LitMinusBlocked::FindIntervals(const Ray& ray, const MediumInterval& interval)
 {
   if (this->Beam)
   {
-    this->Beam->Intersect(ray, segment.Begin, segment.EndOfMarch, this->Stretches);
+    this->Beam->Intersect(ray, interval.Begin, interval.EndOfMarch, this->Intervals);
   }
   else
   {
-    this->Stretches.assign(1, { segment.Begin, segment.EndOfMarch, -1 });
+    this->Intervals.assign(1, { interval.Begin, interval.EndOfMarch });
   }
 }
 
@@ -241,7 +162,6 @@ bool LitMinusBlocked::IsBlockDark()
   {
     return this->Darkness > 0;
   }
-  const ScatteringScene& scene = this->Shared.Scene;
   this->Darkness = 1;
   for (int k = 0; k < blockSide * blockSide && this->Darkness > 0; ++k)
   {
@@ -249,19 +169,19 @@ bool LitMinusBlocked::IsBlockDark()
     const int place = 37 * k % (blockSide * blockSide);
     this->Tile.Interpolate(this->BlockI + place % blockSide, this->BlockJ + place / blockSide, this->OtherPixel);
     const Ray& ray = this->OtherPixel.Line;
-    const MediumSpan& span = this->OtherPixel.Span;
-    const MediumSegment segment =
-      SegmentInside(scene.Fog.Bounds, scene.Occluders, ray, NearestSurface(scene.Occluders, ray));
-    if (!segment.Crosses || span.Empty())
+    const LitInterval& lit = this->OtherPixel.Interval;
+    const MediumInterval interval = MediumIntervalOf(
+      this->Scene.Medium.Bounds, this->Scene.Occluders, ray, NearestSurface(this->Scene.Occluders, ray));
+    if (!interval.Crosses || lit.Empty())
     {
       continue;
     }
-    this->FindStretches(ray, segment);
-    MediumDepth depth(scene.Fog);
-    depth.SetRay(ray.Origin, ray.Direction, span.MediumBegin, span.End);
-    this->OtherSums.Add(this->OtherPixel, segment.EndOfMarch, depth.IsHomogeneous() ? nullptr : &depth);
+    this->FindIntervals(ray, interval);
+    MediumOpticalDepth depth(this->Scene.Medium);
+    depth.SetRay(ray.Origin, ray.Direction, lit.MediumBegin, lit.End);
+    this->OtherSums.Add(this->OtherPixel, interval.EndOfMarch, depth.IsHomogeneous() ? nullptr : &depth);
     this->OtherSums.Accumulate();
-    this->OtherBlocked.EstimateFrom(blockSamples, this->OtherSums, this->Stretches,
+    this->OtherBlocked.EstimateFrom(blockSamples, this->OtherSums, this->Intervals,
       HashSeed(HashSeed(this->Options.Seed, static_cast<std::uint64_t>(place)),
         PixelIndex(this->Options, this->BlockI, this->BlockJ)));
     this->OcclusionRays += this->OtherBlocked.NumberOfOcclusionRays();
@@ -273,32 +193,31 @@ bool LitMinusBlocked::IsBlockDark()
 /// What is left of the light along the ray of Pixel, up to a surface. @return false where the ray has none.
 bool LitMinusBlocked::EstimateRay(const PrimaryHit& hit, std::uint64_t seed)
 {
-  const ScatteringScene& scene = this->Shared.Scene;
   const Ray& ray = this->Pixel.Line;
-  const MediumSpan& span = this->Pixel.Span;
-  const MediumSegment segment = SegmentInside(scene.Fog.Bounds, scene.Occluders, ray, hit);
-  if (!segment.Crosses || span.Empty())
+  const LitInterval& lit = this->Pixel.Interval;
+  const MediumInterval interval = MediumIntervalOf(this->Scene.Medium.Bounds, this->Scene.Occluders, ray, hit);
+  if (!interval.Crosses || lit.Empty())
   {
     return false;
   }
-  const bool homogeneous = this->Depth.IsHomogeneous();
+  const bool homogeneous = this->OpticalDepth.IsHomogeneous();
   if (!homogeneous)
   {
-    this->Depth.SetRay(ray.Origin, ray.Direction, span.MediumBegin, span.End);
+    this->OpticalDepth.SetRay(ray.Origin, ray.Direction, lit.MediumBegin, lit.End);
   }
-  this->Sums.Add(this->Pixel, segment.EndOfMarch, homogeneous ? nullptr : &this->Depth);
+  this->Sums.Add(this->Pixel, interval.EndOfMarch, homogeneous ? nullptr : &this->OpticalDepth);
   this->Left = this->Sums.Groups();
   this->Variance = 0.0;
   this->Samples = 0;
-  if (this->Shared.Options.Mode == ScatteringMode::Guided)
+  if (this->Options.Mode == ScatteringMode::Guided)
   {
-    this->FindStretches(ray, segment);
-    if (!this->Stretches.empty())
+    this->FindIntervals(ray, interval);
+    if (!this->Intervals.empty())
     {
       this->Sums.Accumulate();
     }
-    const double smallest = darkestShare * this->Shared.TypicalMean;
-    this->Blocked.Look(this->Sums, this->Stretches,
+    const double smallest = LitMinusBlockedScene::DarkestFraction * this->Shared.TypicalMean;
+    this->Blocked.Look(this->Sums, this->Intervals,
       { this->Shared.Darkest, 0.5 * this->Pixel.Tolerance * std::max(this->Sums.Mean(), smallest) }, seed);
     const bool dark =
       this->Blocked.LooksDark() && this->Blocked.NumberOfWantedSamples() > darkSamples && this->IsBlockDark();
@@ -308,13 +227,12 @@ bool LitMinusBlocked::EstimateRay(const PrimaryHit& hit, std::uint64_t seed)
     this->Samples = this->Blocked.NumberOfSamples();
     this->OcclusionRays += this->Blocked.NumberOfOcclusionRays();
   }
-  else if (this->Shared.Field)
+  else if (this->Shared.Grid)
   {
     // Cells of a ray that passes other faces of the medium lie elsewhere.
-    const bool alike = span.Faces == this->Corners[0].Span.Faces;
+    const bool alike = lit.Faces == this->Corners[0].Interval.Faces;
     this->Hidden.assign(this->Left.size(), 0.0);
-    this->Samples =
-      this->Shared.Field->Walk(this->Sums, alike ? this->CellsInShadow : ~std::uint64_t(0), this->Hidden);
+    this->Samples = this->Shared.Grid->Walk(this->Sums, alike ? this->CellsInShadow : ~std::uint64_t(0), this->Hidden);
     for (std::size_t g = 0; g < this->Left.size(); ++g)
     {
       this->Left[g] -= this->Hidden[g];

@@ -8,8 +8,19 @@
 
 #include "scBlockedLight.h"
 #include "scConeBeam.h"
+#include "scLitMinusBlockedScene.h"
+#include "scLitPixel.h"
+#include "scLitSums.h"
 #include "scLitTile.h"
+#include "scMediumInterval.h"
+#include "scMediumOpticalDepth.h"
+#include "scPixelRay.h"
+#include "scPrimaryHit.h"
 #include "scPrimaryHits.h"
+#include "scRayInterval.h"
+#include "scScatteringImage.h"
+#include "scScatteringOptions.h"
+#include "scScatteringScene.h"
 #include "scTileRange.h"
 
 #include <array>
@@ -20,32 +31,11 @@
 namespace shadowcones
 {
 
-class VisibilityField;
-
-/// What all threads share, whatever part of the image is rendered.
-struct LitMinusBlockedScene
-{
-  LitMinusBlockedScene(
-    const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups);
-  ~LitMinusBlockedScene();
-
-  const ScatteringScene& Scene;
-  const ScatteringOptions& Options;
-  const ExtinctionGroups& Groups;
-  LitQuadrature Lit;
-  std::vector<double> TypicalSums; ///< of every group
-  double TypicalMean = 0.0;        ///< over wavelengths
-  double Darkest = 0.0;            ///< pixels that are darker are sampled as if they had this, mean over wavelengths
-  std::unique_ptr<VisibilityField> Field; ///< Soft, Volume
-};
-
 /// Guided, Soft and Volume; one a thread.
 class LitMinusBlocked
 {
 public:
-  /// @param options with the extent of the image; all else as the scene has it.
-  LitMinusBlocked(const LitMinusBlockedScene& shared, const ScatteringOptions& options, const PrimaryHits& hits,
-    ScatteringImage& image);
+  LitMinusBlocked(const LitMinusBlockedScene& shared, const PrimaryHits& hits, ScatteringImage& image);
 
   /// Pixels of a tile that lies in one of LitTile's squares.
   void RenderTile(const TileRange& tile);
@@ -55,23 +45,25 @@ private:
   void RenderBlock(const TileRange& block);
   void RenderPixel(int i, int j);
   bool EstimateRay(const PrimaryHit& hit, std::uint64_t seed);
-  void FindStretches(const Ray& ray, const MediumSegment& segment);
+  void FindIntervals(const Ray& ray, const MediumInterval& interval);
   bool IsBlockDark();
 
   const LitMinusBlockedScene& Shared;
+  const ScatteringScene& Scene;
   const ScatteringOptions& Options;
+  const ExtinctionGroups& Groups;
   const PrimaryHits& Hits;
   ScatteringImage& Image;
   LitTile Tile;
   LitPixel Pixel; ///< of the ray at hand
   LitSums Sums;
-  MediumDepth Depth;
+  MediumOpticalDepth OpticalDepth;
   BlockedLight Blocked;
   LitPixel OtherPixel; ///< of another ray of the block
   LitSums OtherSums;
   BlockedLight OtherBlocked;
   std::unique_ptr<ConeBeam> Beam;
-  std::vector<RayInterval> Stretches;
+  std::vector<RayInterval> Intervals; ///< of the ray at hand where occluders may block
   std::array<LitPixel, 4> Corners; ///< of the block
   std::uint64_t CellsInShadow = 0; ///< of the block
   std::vector<PixelRay> Rays;      ///< of the pixel

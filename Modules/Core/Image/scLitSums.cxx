@@ -17,48 +17,48 @@ LitSums::LitSums(const ExtinctionGroups& groups)
 {
 }
 
-void LitSums::Add(const LitPixel& pixel, double tEnd, const MediumDepth* depth)
+void LitSums::Add(const LitPixel& pixel, double tEnd, const MediumOpticalDepth* depth)
 {
   this->Pixel = &pixel;
-  this->Depth = depth;
+  this->OpticalDepth = depth;
   this->RayEnd = tEnd;
   const int groups = this->Extinction.Count();
   this->Totals.resize(static_cast<std::size_t>(groups));
-  this->LastPlace = tEnd < pixel.Span.End ? this->Locate(tEnd) : Place{ cells - 1, 1.0 };
+  this->LastCoordinate = tEnd < pixel.Interval.End ? this->Locate(tEnd) : CellCoordinate{ cells - 1, 1.0 };
   this->Whole = 0.0;
   for (int g = 0; g < groups; ++g)
   {
-    const double total = this->SumOfCells(this->LastPlace, g);
+    const double total = this->SumOfCells(this->LastCoordinate, g);
     this->Totals[static_cast<std::size_t>(g)] = total;
-    this->Whole += this->Extinction.MeanSource[static_cast<std::size_t>(g)] * total;
+    this->Whole += this->Extinction.MeanScatteredRadiance[static_cast<std::size_t>(g)] * total;
   }
 }
 
-double LitSums::SumOfCells(const Place& place, int group) const
+double LitSums::SumOfCells(const CellCoordinate& at, int group) const
 {
   const float* cell = this->Pixel->Cells(group);
   double sum = 0.0;
-  for (int k = 0; k < place.Cell; ++k)
+  for (int k = 0; k < at.Cell; ++k)
   {
     sum += static_cast<double>(cell[k]);
   }
-  return sum + this->UpTo(place, group);
+  return sum + this->UpTo(at, group);
 }
 
-double LitSums::UpTo(const Place& place, int group) const
+double LitSums::UpTo(const CellCoordinate& at, int group) const
 {
   const float* cell = this->Pixel->Cells(group);
-  const auto value = static_cast<double>(cell[place.Cell]);
-  const double x = place.Share;
-  if (this->Depth || x >= 1.0)
+  const auto value = static_cast<double>(cell[at.Cell]);
+  const double x = at.Fraction;
+  if (this->OpticalDepth || x >= 1.0)
   {
     return x * value;
   }
   // In the profile's variable the light is nearly linear over a cell, with the slope that its neighbours show.
   const LitVariable& variable = this->Pixel->Variable;
-  const bool before = place.Cell > 0 && !variable.IsGap(place.Cell);
-  const bool after = place.Cell + 1 < cells && !variable.IsGap(place.Cell + 1);
-  double slope = static_cast<double>(cell[place.Cell + (after ? 1 : 0)] - cell[place.Cell - (before ? 1 : 0)]);
+  const bool before = at.Cell > 0 && !variable.IsGap(at.Cell);
+  const bool after = at.Cell + 1 < cells && !variable.IsGap(at.Cell + 1);
+  double slope = static_cast<double>(cell[at.Cell + (after ? 1 : 0)] - cell[at.Cell - (before ? 1 : 0)]);
   slope *= before && after ? 0.5 : 1.0;
   const double steepest = 2.0 * std::fabs(value);
   return x * (value + 0.5 * (x - 1.0) * std::clamp(slope, -steepest, steepest));
@@ -70,9 +70,9 @@ void LitSums::AddBetween(double from, double to, std::vector<double>& sums) cons
   {
     return;
   }
-  const bool first = from <= this->Pixel->Span.Begin;
-  const Place begin = first ? Place() : this->Locate(from);
-  const Place end = to < this->RayEnd ? this->Locate(to) : this->LastPlace;
+  const bool first = from <= this->Pixel->Interval.Begin;
+  const CellCoordinate begin = first ? CellCoordinate() : this->Locate(from);
+  const CellCoordinate end = to < this->RayEnd ? this->Locate(to) : this->LastCoordinate;
   for (int g = 0; g < this->Extinction.Count(); ++g)
   {
     const double upTo = to < this->RayEnd ? this->SumOfCells(end, g) : this->Totals[static_cast<std::size_t>(g)];
@@ -80,16 +80,16 @@ void LitSums::AddBetween(double from, double to, std::vector<double>& sums) cons
   }
 }
 
-LitSums::Place LitSums::Locate(double t) const
+LitSums::CellCoordinate LitSums::Locate(double t) const
 {
-  if (this->Depth)
+  if (this->OpticalDepth)
   {
     // In a medium of varying density a cell's light lies where its depth is.
-    Place place = this->PlaceOf(t);
-    const double begin = this->Depth->Along(this->Pixel->EdgeAt(place.Cell));
-    const double depth = this->Depth->Along(this->Pixel->EdgeAt(place.Cell + 1)) - begin;
-    place.Share = depth > 0.0 ? std::clamp((this->Depth->Along(t) - begin) / depth, 0.0, 1.0) : place.Share;
-    return place;
+    CellCoordinate at = this->CellAt(t);
+    const double begin = this->OpticalDepth->Along(this->Pixel->EdgeAt(at.Cell));
+    const double depth = this->OpticalDepth->Along(this->Pixel->EdgeAt(at.Cell + 1)) - begin;
+    at.Fraction = depth > 0.0 ? std::clamp((this->OpticalDepth->Along(t) - begin) / depth, 0.0, 1.0) : at.Fraction;
+    return at;
   }
   const double coordinate = this->Pixel->Variable.CellCoordinate(t);
   const int cell = std::min(static_cast<int>(coordinate), cells - 1);
@@ -104,7 +104,8 @@ void LitSums::Accumulate()
     double mean = 0.0;
     for (int g = 0; g < this->Extinction.Count(); ++g)
     {
-      mean += this->Extinction.MeanSource[static_cast<std::size_t>(g)] * static_cast<double>(this->Pixel->Cells(g)[k]);
+      mean += this->Extinction.MeanScatteredRadiance[static_cast<std::size_t>(g)] *
+        static_cast<double>(this->Pixel->Cells(g)[k]);
     }
     this->Cumulative[static_cast<std::size_t>(k)] = sum;
     sum += std::max(mean, 0.0);
@@ -112,14 +113,14 @@ void LitSums::Accumulate()
   this->Cumulative[cells] = sum;
 }
 
-LitSums::Place LitSums::PlaceOf(double t) const
+LitSums::CellCoordinate LitSums::CellAt(double t) const
 {
   const double* edges = this->Pixel->Edges.data();
   const auto after = static_cast<int>(std::upper_bound(edges + 1, edges + cells, t) - edges);
   const int cell = after - 1;
   const double width = edges[after] - edges[cell];
-  const double share = width > 0.0 ? (t - edges[cell]) / width : 0.0;
-  return { cell, std::clamp(share, 0.0, 1.0) };
+  const double fraction = width > 0.0 ? (t - edges[cell]) / width : 0.0;
+  return { cell, std::clamp(fraction, 0.0, 1.0) };
 }
 
 } // namespace shadowcones

@@ -6,9 +6,11 @@
 #ifndef scLitSums_h
 #define scLitSums_h
 
-#include "scExtinction.h"
-#include "scLitTile.h"
+#include "scExtinctionGroups.h"
+#include "scLitPixel.h"
+#include "scMediumOpticalDepth.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace shadowcones
@@ -24,19 +26,19 @@ public:
   explicit LitSums(const ExtinctionGroups& groups);
   /// The pixel must outlive the sums. @param tEnd where the ray ends; @param depth of the ray, nullptr in a homogeneous
   /// medium.
-  void Add(const LitPixel& pixel, double tEnd, const MediumDepth* depth = nullptr);
+  void Add(const LitPixel& pixel, double tEnd, const MediumOpticalDepth* depth = nullptr);
 
   /// @name The unshadowed term
   ///@{
   /// Of every group up to the end of the ray.
   const std::vector<double>& Groups() const { return this->Totals; }
-  /// Source-weighted mean over wavelengths of that.
+  /// Weighted mean over wavelengths of that.
   double Mean() const { return this->Whole; }
   /// Add that of every group between two places; all of the ray is Groups() to the last bit.
   void AddBetween(double from, double to, std::vector<double>& sums) const;
   /// The last cell that the ray reaches, and what it holds of it.
-  int LastCell() const { return this->LastPlace.Cell; }
-  double InLastCell(int group) const { return this->UpTo(this->LastPlace, group); }
+  int LastCell() const { return this->LastCoordinate.Cell; }
+  double InLastCell(int group) const { return this->UpTo(this->LastCoordinate, group); }
   double End() const { return this->RayEnd; }
   ///@}
 
@@ -44,23 +46,23 @@ public:
   ///@{
   /// What the rest needs.
   void Accumulate();
-  /// A place on the ray: a cell and a share of it.
-  struct Place
+  /// A place on the ray: a cell and a fraction of it.
+  struct CellCoordinate
   {
     int Cell = 0;
-    double Share = 0.0;
+    double Fraction = 0.0;
   };
-  Place PlaceOf(double t) const;
-  double DistanceOf(const Place& place) const
+  CellCoordinate CellAt(double t) const;
+  double DistanceOf(const CellCoordinate& at) const
   {
-    const double begin = this->Pixel->EdgeAt(place.Cell);
-    return begin + place.Share * (this->Pixel->EdgeAt(place.Cell + 1) - begin);
+    const double begin = this->Pixel->EdgeAt(at.Cell);
+    return begin + at.Fraction * (this->Pixel->EdgeAt(at.Cell + 1) - begin);
   }
-  /// Mean over wavelengths up to a place.
-  double SumUpTo(const Place& place) const
+  /// Mean over wavelengths up to a at.
+  double SumUpTo(const CellCoordinate& at) const
   {
-    const auto cell = static_cast<std::size_t>(place.Cell);
-    return this->Cumulative[cell] + place.Share * (this->Cumulative[cell + 1] - this->Cumulative[cell]);
+    const auto cell = static_cast<std::size_t>(at.Cell);
+    return this->Cumulative[cell] + at.Fraction * (this->Cumulative[cell + 1] - this->Cumulative[cell]);
   }
   /// Of one cell, never below 0.
   double Of(int cell) const
@@ -70,20 +72,20 @@ public:
   double Width(int cell) const { return this->Pixel->EdgeAt(cell + 1) - this->Pixel->EdgeAt(cell); }
   ///@}
 
-  const LitPixel& Source() const { return *this->Pixel; }
+  const LitPixel& Profile() const { return *this->Pixel; }
 
 private:
   /// Exactly where a distance lies among the cells.
-  Place Locate(double t) const;
-  /// What a group sends from a cell, up to a share of it.
-  double UpTo(const Place& place, int group) const;
-  double SumOfCells(const Place& place, int group) const;
+  CellCoordinate Locate(double t) const;
+  /// What a group sends from a cell, up to a fraction of it.
+  double UpTo(const CellCoordinate& at, int group) const;
+  double SumOfCells(const CellCoordinate& at, int group) const;
 
   const ExtinctionGroups& Extinction;
   const LitPixel* Pixel = nullptr;
-  const MediumDepth* Depth = nullptr;
+  const MediumOpticalDepth* OpticalDepth = nullptr;
   double RayEnd = 0.0;
-  Place LastPlace;
+  CellCoordinate LastCoordinate;
   std::vector<double> Cumulative; ///< up to the beginning of every cell
   std::vector<double> Totals;
   double Whole = 0.0;

@@ -12,13 +12,21 @@ namespace shadowcones
 namespace
 {
 /// No ray takes more evaluations of the light than this where a tolerance of 1e-3 is asked for, and at most eight times
-/// as many where it is smaller; meshes have many points, which are cheap.
+/// as many where it is smaller. Discs and rectangles have sharp edges for rays that pass near them; meshes have many
+/// points, which are cheap.
 constexpr int mostEvaluations = 1 << 12;
+constexpr int mostFlatEvaluations = 1 << 13;
 constexpr int mostMeshEvaluations = 1 << 15;
 
-/// Rules are checked at one ray of a square: to be trusted at the others they must agree by this share of the
+int MostEvaluations(LightShape shape)
+{
+  const bool flat = shape == LightShape::Disc || shape == LightShape::Rectangle;
+  return shape == LightShape::Mesh ? mostMeshEvaluations : flat ? mostFlatEvaluations : mostEvaluations;
+}
+
+/// Rules are checked at one ray of a square: to be trusted at the others they must agree by this fraction of the
 /// tolerance.
-constexpr double quadratureShare = 0.3;
+constexpr double quadratureFraction = 0.3;
 
 /// A sum of three rows: the innermost loop of interpolation.
 SHADOWCONES_WIDE void AddThree(
@@ -33,14 +41,6 @@ SHADOWCONES_WIDE void AddThree(
   }
 }
 
-SHADOWCONES_WIDE void Multiply(float* values, float factor, std::size_t count)
-{
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    values[k] *= factor;
-  }
-}
-
 /// Quadratic weights of nodes at 0, 1/2 and 1.
 void QuadraticWeights(double x, double weights[3])
 {
@@ -50,11 +50,10 @@ void QuadraticWeights(double x, double weights[3])
 }
 } // anonymous namespace
 
-LitTile::LitTile(
-  const LitQuadrature& quadrature, const Camera& camera, int width, int height, double tolerance,
+LitTile::LitTile(const LitQuadrature& quadrature, const Camera& camera, int width, int height, double tolerance,
   const std::vector<double>& typical)
   : Quadrature(quadrature)
-  , Eye(camera)
+  , View(camera)
   , Width(width)
   , Height(height)
   , Tolerance(tolerance)
@@ -95,17 +94,17 @@ void LitTile::Interpolate(double i, double j, LitPixel& pixel)
 {
   const Leaf& leaf = this->LeafAt(i, j);
   pixel.Line = this->RayOf(i, j);
-  pixel.Span = this->Quadrature.Spans.Find(pixel.Line);
+  pixel.Interval = this->Quadrature.Intervals.Find(pixel.Line);
   pixel.Tolerance = leaf.Tolerance;
   pixel.Values.resize(this->Quadrature.Layout.Size());
-  if (pixel.Span.Empty())
+  if (pixel.Interval.Empty())
   {
     std::fill(pixel.Values.begin(), pixel.Values.end(), 0.0f);
     pixel.Edges.fill(0.0);
     return;
   }
   std::size_t sheet = leaf.FirstSheet;
-  while (sheet < leaf.EndOfSheets && this->Sheets[sheet].Faces != pixel.Span.Faces)
+  while (sheet < leaf.EndOfSheets && this->Sheets[sheet].Faces != pixel.Interval.Faces)
   {
     ++sheet;
   }
@@ -117,27 +116,9 @@ void LitTile::Interpolate(double i, double j, LitPixel& pixel)
   else
   {
     // It passes a face of the medium that none of the computed rays passes, or beside the one that is computed.
-    this->Evaluate(pixel.Line, pixel.Span, leaf.Level, pixel.Values.data());
+    this->Evaluate(pixel.Line, pixel.Interval, leaf.Level, pixel.Values.data());
   }
   FinishPixel(this->Quadrature, pixel);
-}
-
-void FinishPixel(const LitQuadrature& quadrature, LitPixel& pixel)
-{
-  pixel.Variable = LitVariable(quadrature, pixel.Line, pixel.Span, nullptr);
-  if (pixel.Variable.NeedsDouble())
-  {
-    pixel.Variable.FillEdges(pixel.Edges.data());
-  }
-  else
-  {
-    for (std::size_t k = 0; k < pixel.Edges.size(); ++k)
-    {
-      pixel.Edges[k] = pixel.Span.Begin + static_cast<double>(pixel.Values[k]);
-    }
-  }
-  Multiply(pixel.Values.data() + LitProfileLayout::Edges, static_cast<float>(pixel.Variable.CellFactor()),
-    pixel.Values.size() - LitProfileLayout::Edges);
 }
 
 void LitTile::Cut(int i, int j, int size, LitLevel level, double tolerance)
@@ -164,7 +145,7 @@ void LitTile::Cut(int i, int j, int size, LitLevel level, double tolerance)
 
 bool LitTile::Affords(const LitLevel& level) const
 {
-  const int most = this->Quadrature.Source.Shape == LightShape::Mesh ? mostMeshEvaluations : mostEvaluations;
+  const int most = MostEvaluations(this->Quadrature.Lamp.Shape);
   return level.Panels < LitQuadrature::NumberOfPanelLevels && level.Rule < LightRule::NumberOfLevels &&
     LitProfiler::NumberOfEvaluations(this->Quadrature, level) <=
     most * std::clamp(1e-3 / std::max(this->Tolerance, 1e-9), 1.0, 8.0);
@@ -174,30 +155,30 @@ void LitTile::RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tole
 {
   // Where rules do for the ray that passes nearest to the light they do for the others.
   Ray ray;
-  MediumSpan span;
+  LitInterval interval;
   double nearest = HUGE_VAL;
   for (int k = 0; k < 10; ++k)
   {
     const Ray other = k < 9 ? this->RayOf(i0 + size / 2 * (k % 3), j0 + size / 2 * (k / 3))
                             : this->RayOf(i0 + size / 4, j0 + size - size / 4);
-    const MediumSpan part = this->Quadrature.Spans.Find(other);
+    const LitInterval part = this->Quadrature.Intervals.Find(other);
     const double t = std::clamp(Dot(this->Quadrature.Center - other.Origin, other.Direction), part.Begin, part.End);
     const double distance = Length(other.Origin + t * other.Direction - this->Quadrature.Center);
     if (!part.Empty() && distance < nearest)
     {
       ray = other;
-      span = part;
+      interval = part;
       nearest = distance;
     }
   }
-  if (span.Empty())
+  if (interval.Empty())
   {
     return;
   }
-  const double factor = this->CellFactor(ray, span);
+  const double factor = this->CellFactor(ray, interval);
   float* values = this->Scratch[0].data();
   float* finer = this->Scratch[1].data();
-  this->Evaluate(ray, span, level, values);
+  this->Evaluate(ray, interval, level, values);
   double differences[2] = { 0.0, 0.0 }; // when panels and rule were last made finer
   bool raised = true;
   while (raised)
@@ -211,10 +192,10 @@ void LitTile::RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tole
       {
         continue;
       }
-      this->Evaluate(ray, span, next, finer);
+      this->Evaluate(ray, interval, next, finer);
       const double difference = this->Difference(values, finer, factor);
       differences[part == &LitLevel::Panels ? 0 : 1] = difference;
-      if (difference > quadratureShare * this->Tolerance)
+      if (difference > quadratureFraction * this->Tolerance)
       {
         level = next;
         std::swap(values, finer);
@@ -240,11 +221,11 @@ bool LitTile::AddLeaf(int i, int j, int size, const LitLevel& level, double tole
   const std::size_t firstValue = this->Values.size();
   for (int k = 0; k < 9; ++k)
   {
-    const MediumSpan span = this->SpanOf(i + half * (k % 3), j + half * (k / 3));
-    bool known = span.Empty();
+    const LitInterval interval = this->IntervalOf(i + half * (k % 3), j + half * (k / 3));
+    bool known = interval.Empty();
     for (std::size_t sheet = leaf.FirstSheet; sheet < leaf.EndOfSheets; ++sheet)
     {
-      known = known || this->Sheets[sheet].Faces == span.Faces;
+      known = known || this->Sheets[sheet].Faces == interval.Faces;
     }
     if (known)
     {
@@ -252,9 +233,9 @@ bool LitTile::AddLeaf(int i, int j, int size, const LitLevel& level, double tole
     }
     if (leaf.FirstSheet == leaf.EndOfSheets)
     {
-      leaf.Reference = span.Begin;
+      leaf.Reference = interval.Begin;
     }
-    if (!this->AddSheet(leaf, span.Faces))
+    if (!this->AddSheet(leaf, interval.Faces))
     {
       this->Sheets.resize(leaf.FirstSheet);
       this->Values.resize(firstValue);
@@ -274,15 +255,15 @@ bool LitTile::AddSheet(Leaf& leaf, int faces)
   // Nine nodes, then rays to check: quadratics are worst halfway between their nodes, on any side of what is not
   // smooth.
   constexpr int count = 13;
-  const int places[count][2] = { { 0, 0 }, { half, 0 }, { 2 * half, 0 }, { 0, half }, { half, half }, { 2 * half, half },
-    { 0, 2 * half }, { half, 2 * half }, { 2 * half, 2 * half }, { quarter, quarter }, { 3 * quarter, quarter },
-    { 3 * quarter, 3 * quarter }, { quarter, 3 * quarter } };
-  MediumSpan spans[count];
+  const int places[count][2] = { { 0, 0 }, { half, 0 }, { 2 * half, 0 }, { 0, half }, { half, half },
+    { 2 * half, half }, { 0, 2 * half }, { half, 2 * half }, { 2 * half, 2 * half }, { quarter, quarter },
+    { 3 * quarter, quarter }, { 3 * quarter, 3 * quarter }, { quarter, 3 * quarter } };
+  LitInterval intervals[count];
   for (int k = 0; k < count; ++k)
   {
-    spans[k] = this->Quadrature.Spans.Between(this->RayOf(leaf.I + places[k][0], leaf.J + places[k][1]), faces);
+    intervals[k] = this->Quadrature.Intervals.Between(this->RayOf(leaf.I + places[k][0], leaf.J + places[k][1]), faces);
     // Rays that run along a face meet its plane far away, or nowhere.
-    if (!(std::fabs(spans[k].Begin - leaf.Reference) < far && std::fabs(spans[k].End - leaf.Reference) < far))
+    if (!(std::fabs(intervals[k].Begin - leaf.Reference) < far && std::fabs(intervals[k].End - leaf.Reference) < far))
     {
       return false;
     }
@@ -294,7 +275,7 @@ bool LitTile::AddSheet(Leaf& leaf, int faces)
   this->Values.resize(sheet.Nodes + 9 * stride);
   for (int k = 0; k < 9; ++k)
   {
-    this->Evaluate(this->RayOf(leaf.I + places[k][0], leaf.J + places[k][1]), spans[k], leaf.Level,
+    this->Evaluate(this->RayOf(leaf.I + places[k][0], leaf.J + places[k][1]), intervals[k], leaf.Level,
       this->Values.data() + sheet.Nodes + static_cast<std::size_t>(k) * stride);
   }
   for (int k = 9; k < count; ++k)
@@ -302,9 +283,9 @@ bool LitTile::AddSheet(Leaf& leaf, int faces)
     const int i = leaf.I + places[k][0];
     const int j = leaf.J + places[k][1];
     const Ray ray = this->RayOf(i, j);
-    this->Evaluate(ray, spans[k], leaf.Level, this->Scratch[0].data());
+    this->Evaluate(ray, intervals[k], leaf.Level, this->Scratch[0].data());
     this->Blend(leaf, sheet, i, j, this->Scratch[1].data());
-    const double factor = this->CellFactor(ray, spans[k]);
+    const double factor = this->CellFactor(ray, intervals[k]);
     if (this->Difference(this->Scratch[1].data(), this->Scratch[0].data(), factor) > leaf.Tolerance)
     {
       return false;
@@ -317,7 +298,7 @@ bool LitTile::AddSheet(Leaf& leaf, int faces)
 
 void LitTile::AddPixel(int i, int j, const LitLevel& level, double tolerance)
 {
-  const MediumSpan span = this->SpanOf(i, j);
+  const LitInterval interval = this->IntervalOf(i, j);
   Leaf leaf;
   leaf.I = i;
   leaf.J = j;
@@ -326,12 +307,12 @@ void LitTile::AddPixel(int i, int j, const LitLevel& level, double tolerance)
   leaf.Tolerance = tolerance;
   leaf.FirstSheet = this->Sheets.size();
   leaf.EndOfSheets = leaf.FirstSheet;
-  if (!span.Empty())
+  if (!interval.Empty())
   {
     const std::size_t first = this->Values.size();
     this->Values.resize(first + this->Quadrature.Layout.Size());
-    this->Evaluate(this->RayOf(i, j), span, level, this->Values.data() + first);
-    this->Sheets.push_back({ span.Faces, first });
+    this->Evaluate(this->RayOf(i, j), interval, level, this->Values.data() + first);
+    this->Sheets.push_back({ interval.Faces, first });
     leaf.EndOfSheets = this->Sheets.size();
   }
   this->Register(leaf);
@@ -374,15 +355,15 @@ void LitTile::Blend(const Leaf& leaf, const Sheet& sheet, double i, double j, fl
   AddThree(values, column, column + count, column + 2 * count, weights, count);
 }
 
-void LitTile::Evaluate(const Ray& ray, const MediumSpan& span, const LitLevel& level, float* values)
+void LitTile::Evaluate(const Ray& ray, const LitInterval& interval, const LitLevel& level, float* values)
 {
-  this->Profiler.Evaluate(ray, span, level, values);
+  this->Profiler.Evaluate(ray, interval, level, values);
   this->Rays += 1;
 }
 
-double LitTile::CellFactor(const Ray& ray, const MediumSpan& span) const
+double LitTile::CellFactor(const Ray& ray, const LitInterval& interval) const
 {
-  return LitVariable(this->Quadrature, ray, span, nullptr).CellFactor();
+  return LitVariable(this->Quadrature, ray, interval, nullptr).CellFactor();
 }
 
 double LitTile::Difference(const float* a, const float* b, double factor) const
@@ -417,15 +398,14 @@ std::vector<double> TypicalLitSums(const LitQuadrature& quadrature, const Camera
   std::vector<double> typical(static_cast<std::size_t>(quadrature.Layout.NumberOfGroups), 0.0);
   for (int k = 0; k < side * side; ++k)
   {
-    const Ray ray =
-      camera.PixelRay((k % side + 0.5) * width / side, (k / side + 0.5) * height / side, width, height);
-    const MediumSpan span = quadrature.Spans.Find(ray);
-    if (span.Empty())
+    const Ray ray = camera.PixelRay((k % side + 0.5) * width / side, (k / side + 0.5) * height / side, width, height);
+    const LitInterval interval = quadrature.Intervals.Find(ray);
+    if (interval.Empty())
     {
       continue;
     }
-    profiler.Evaluate(ray, span, quadrature.FirstLevel(), values.data());
-    const double factor = LitVariable(quadrature, ray, span, nullptr).CellFactor() / (side * side);
+    profiler.Evaluate(ray, interval, quadrature.FirstLevel(), values.data());
+    const double factor = LitVariable(quadrature, ray, interval, nullptr).CellFactor() / (side * side);
     for (std::size_t g = 0; g < typical.size(); ++g)
     {
       const float* cell = values.data() + LitProfileLayout::Edges + g * LitProfileLayout::Cells;

@@ -11,31 +11,19 @@
 #define scLitTile_h
 
 #include "scCamera.h"
-#include "scLitProfile.h"
+#include "scLitInterval.h"
+#include "scLitPixel.h"
+#include "scLitProfiler.h"
+#include "scLitQuadrature.h"
+#include "scRay.h"
 #include "vtkType.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace shadowcones
 {
-
-/// The profile of one camera ray: see LitProfileLayout.
-struct LitPixel
-{
-  Ray Line;
-  MediumSpan Span;
-  LitVariable Variable;
-  double Tolerance = 0.0; ///< error that was allowed, relative to the sum or a tenth of the image's typical sum
-  std::array<double, LitProfileLayout::Cells + 1> Edges; ///< distances along the ray; may be off by a little
-  std::vector<float> Values; ///< as in the layout, but with integrals over cells, no longer scaled
-
-  double EdgeAt(int k) const { return this->Edges[static_cast<std::size_t>(k)]; }
-  const float* Cells(int group) const
-  {
-    return this->Values.data() + LitProfileLayout::Edges + group * LitProfileLayout::Cells;
-  }
-};
 
 /// One a thread. Squares are aligned to the pixel (0, 0) of the image, so that results do not depend on what is asked for.
 class LitTile
@@ -77,8 +65,8 @@ private:
     std::size_t EndOfSheets = 0;
   };
 
-  Ray RayOf(double i, double j) const { return this->Eye.PixelRay(i, j, this->Width, this->Height); }
-  MediumSpan SpanOf(double i, double j) const { return this->Quadrature.Spans.Find(this->RayOf(i, j)); }
+  Ray RayOf(double i, double j) const { return this->View.PixelRay(i, j, this->Width, this->Height); }
+  LitInterval IntervalOf(double i, double j) const { return this->Quadrature.Intervals.Find(this->RayOf(i, j)); }
   void Cut(int i, int j, int size, LitLevel level, double tolerance);
   bool Affords(const LitLevel& level) const;
   void RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tolerance);
@@ -88,12 +76,12 @@ private:
   void Register(const Leaf& leaf);
   const Leaf& LeafAt(double i, double j) const;
   void Blend(const Leaf& leaf, const Sheet& sheet, double i, double j, float* values);
-  void Evaluate(const Ray& ray, const MediumSpan& span, const LitLevel& level, float* values);
-  double CellFactor(const Ray& ray, const MediumSpan& span) const;
+  void Evaluate(const Ray& ray, const LitInterval& interval, const LitLevel& level, float* values);
+  double CellFactor(const Ray& ray, const LitInterval& interval) const;
   double Difference(const float* a, const float* b, double factor) const;
 
   const LitQuadrature& Quadrature;
-  const Camera& Eye;
+  const Camera& View;
   int Width;
   int Height;
   double Tolerance;
@@ -111,9 +99,6 @@ private:
   std::array<std::vector<float>, 2> Scratch;
   vtkIdType Rays = 0;
 };
-
-/// Multiply the means of a profile to integrals, and give its edges their places on the ray.
-void FinishPixel(const LitQuadrature& quadrature, LitPixel& pixel);
 
 /// Mean of the unshadowed term of every group over rays all over the image.
 std::vector<double> TypicalLitSums(const LitQuadrature& quadrature, const Camera& camera, int width, int height);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scMediumTerm.h"
 
+#include "scMediumInterval.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,17 +15,13 @@ namespace
 constexpr double largestExcess = 0.005;
 } // anonymous namespace
 
-MediumTerm::MediumTerm(const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups,
-  const LightStrata& strata, const LitMinusBlockedScene* lit, const PrimaryHits& hits, ScatteringImage& image)
-  : Scene(scene)
-  , Options(options)
-  , Groups(groups)
-  , Strata(strata)
+MediumTerm::MediumTerm(
+  const RenderContext& context, const LitMinusBlockedScene* lit, const PrimaryHits& hits, ScatteringImage& image)
+  : Context(context)
   , Hits(hits)
   , Image(image)
-  , March{ scene.Occluders, scene.Source, scene.Fog, scene.Cones, options, groups, strata }
-  , Marcher(March)
-  , Difference(lit ? std::make_unique<LitMinusBlocked>(*lit, options, hits, image) : nullptr)
+  , Marcher(context)
+  , Difference(lit ? std::make_unique<LitMinusBlocked>(*lit, hits, image) : nullptr)
 {
 }
 
@@ -34,7 +32,7 @@ int MediumTerm::TileSide(ScatteringMode mode)
 
 void MediumTerm::RenderTile(const TileRange& tile)
 {
-  if (IsMarched(this->Options.Mode))
+  if (IsMarched(this->Context.Options.Mode))
   {
     this->MarchTile(tile);
     return;
@@ -55,24 +53,26 @@ void MediumTerm::MarchTile(const TileRange& tile)
 
 void MediumTerm::MarchPixel(int i, int j)
 {
-  const std::uint64_t pixel = PixelIndex(this->Options, i, j);
+  const ScatteringScene& scene = this->Context.Scene;
+  const ExtinctionGroups& groups = this->Context.Groups;
+  const std::uint64_t pixel = PixelIndex(this->Context.Options, i, j);
   this->Hits.RaysOf(i, j, this->Rays);
-  this->Integrals.assign(static_cast<std::size_t>(this->Groups.Count()), 0.0);
+  this->Integrals.assign(static_cast<std::size_t>(groups.Count()), 0.0);
   double variance = 0.0;
   vtkIdType samples = 0;
   bool any = false;
   for (std::size_t k = 0; k < this->Rays.size(); ++k)
   {
     const PixelRay& part = this->Rays[k];
-    const MediumSegment segment = SegmentInside(this->Scene.Fog.Bounds, this->Scene.Occluders, part.Line, part.Hit);
-    if (!segment.Crosses)
+    const MediumInterval interval = MediumIntervalOf(scene.Medium.Bounds, scene.Occluders, part.Line, part.Hit);
+    if (!interval.Crosses)
     {
       continue;
     }
     any = true;
     // Numbers of pixels are below 2^31: those of an edge's rays are no pixel's.
     const std::uint64_t key = this->Rays.size() > 1 ? pixel + ((k + 1) << 32) : pixel;
-    this->Marcher.March(part.Line, segment.Begin, segment.EndOfMarch, key);
+    this->Marcher.March(part.Line, interval.Begin, interval.EndOfMarch, key);
     this->OcclusionRays += this->Marcher.NumberOfOcclusionRays();
     if (this->Marcher.Excess() > largestExcess)
     {
@@ -80,23 +80,23 @@ void MediumTerm::MarchPixel(int i, int j)
       this->ThickestStep = std::max(this->ThickestStep, this->Marcher.OpticalDepthOfStep());
     }
     samples += this->Marcher.SampleCount();
-    variance += part.Share * part.Share * this->Marcher.Variance();
+    variance += part.Fraction * part.Fraction * this->Marcher.Variance();
     for (std::size_t g = 0; g < this->Integrals.size(); ++g)
     {
-      this->Integrals[g] += part.Share * this->Marcher.Integrals()[g];
+      this->Integrals[g] += part.Fraction * this->Marcher.Integrals()[g];
     }
   }
   if (!any)
   {
     return;
   }
-  const std::size_t index = IndexInExtent(this->Options, i, j);
+  const std::size_t index = this->Image.IndexOf(i, j);
   constexpr vtkIdType most = std::numeric_limits<int>::max();
   this->Image.SampleCount[index] = static_cast<int>(std::min(samples, most));
-  float* radiance = this->Image.InScattering.data() + index * this->Groups.Source.size();
-  const double mean = this->Groups.ToRadiance(this->Integrals, radiance);
+  float* radiance = this->Image.InScattering.data() + index * groups.ScatteredRadiance.size();
+  const double mean = groups.ToRadiance(this->Integrals, radiance);
   const double relative = mean > 0.0 ? std::sqrt(variance) / mean : 0.0;
-  const bool known = this->Strata.Count() >= 2;
+  const bool known = this->Context.Strata.Count() >= 2;
   this->Image.RelativeError[index] = known ? static_cast<float>(relative) : -1.0f;
   this->Image.MediumError[index] = known ? static_cast<float>(std::sqrt(variance)) : -1.0f;
 }

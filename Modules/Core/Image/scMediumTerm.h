@@ -7,9 +7,17 @@
 #define scMediumTerm_h
 
 #include "scLitMinusBlocked.h"
+#include "scLitMinusBlockedScene.h"
+#include "scPixelRay.h"
 #include "scPrimaryHits.h"
 #include "scRayMarcher.h"
+#include "scRenderContext.h"
+#include "scScatteringImage.h"
+#include "scScatteringOptions.h"
 #include "scTileRange.h"
+
+#include <memory>
+#include <vector>
 
 namespace shadowcones
 {
@@ -18,9 +26,10 @@ namespace shadowcones
 class MediumTerm
 {
 public:
-  /// @param lit what Guided, Soft and Volume share, nullptr for the others. Everything is referred to and must outlive the term; the image's arrays have their size.
-  MediumTerm(const ScatteringScene& scene, const ScatteringOptions& options, const ExtinctionGroups& groups,
-    const LightStrata& strata, const LitMinusBlockedScene* lit, const PrimaryHits& hits, ScatteringImage& image);
+  /// @param lit what Guided, Soft and Volume share, nullptr for the others. Everything is referred to and must outlive the
+  /// term; the image's arrays have their size.
+  MediumTerm(
+    const RenderContext& context, const LitMinusBlockedScene* lit, const PrimaryHits& hits, ScatteringImage& image);
 
   /// Tiles of this side are rendered at once: small ones where nothing is shared, so that an abort is served soon.
   static int TileSide(ScatteringMode mode);
@@ -40,13 +49,9 @@ private:
   void MarchTile(const TileRange& tile);
   void MarchPixel(int i, int j);
 
-  const ScatteringScene& Scene;
-  const ScatteringOptions& Options;
-  const ExtinctionGroups& Groups;
-  const LightStrata& Strata;
+  const RenderContext& Context;
   const PrimaryHits& Hits;
   ScatteringImage& Image;
-  const MarchScene March;
   RayMarcher Marcher;
   std::unique_ptr<LitMinusBlocked> Difference; ///< Guided, Soft, Volume
   std::vector<PixelRay> Rays;    ///< of the pixel

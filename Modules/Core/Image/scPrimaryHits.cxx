@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scPrimaryHits.h"
 
+#include "scConstants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -12,7 +14,7 @@ namespace
 {
 
 /// Surfaces that meet at more than this many radians make an edge.
-constexpr double largestTurn = 25.0 * 3.14159265358979323846 / 180.0;
+constexpr double largestTurn = 25.0 * Pi / 180.0;
 /// By so much, as a sine, may the way from hit to hit leave the surfaces beyond their own turn before it is a jump.
 constexpr double smallestJump = 0.1;
 /// Rays that look for surfaces in a pixel at an edge, for each of NumberOfEdgeSamples.
@@ -48,10 +50,11 @@ std::vector<std::array<double, 2>> SpreadOffsets(int count)
 
 } // namespace
 
-PrimaryHits::PrimaryHits(
-  const ScatteringScene& scene, const ScatteringOptions& options, const std::vector<VisibleLight>& visibleLights)
+PrimaryHits::PrimaryHits(const ScatteringScene& scene, const ScatteringOptions& options,
+  const std::array<int, 4>& extent, const std::vector<VisibleLight>& visibleLights)
   : Scene(scene)
   , Options(options)
+  , Extent(extent)
   , Visible(visibleLights)
   , FindsEdges(options.NumberOfEdgeSamples > 1)
   , Centers(this->LatticeOver(0.0, 0))
@@ -67,9 +70,9 @@ PrimaryHits::Lattice PrimaryHits::LatticeOver(double shift, int more) const
 {
   Lattice lattice;
   lattice.Shift = shift;
-  lattice.First = { this->Options.Extent[0], this->Options.Extent[2] };
-  lattice.Columns = std::max(this->Options.Extent[1] - this->Options.Extent[0] + 1, 0) + more;
-  lattice.Rows = std::max(this->Options.Extent[3] - this->Options.Extent[2] + 1, 0) + more;
+  lattice.First = { this->Extent[0], this->Extent[2] };
+  lattice.Columns = std::max(this->Extent[1] - this->Extent[0] + 1, 0) + more;
+  lattice.Rows = std::max(this->Extent[3] - this->Extent[2] + 1, 0) + more;
   return lattice;
 }
 
@@ -193,8 +196,9 @@ void PrimaryHits::RaysOf(int i, int j, std::vector<PixelRay>& rays) const
   }
 
   rays.clear();
-  const auto rayAt = [&](std::size_t k, double share)
-  { return PixelRay{ i + this->EdgeOffsets[k][0], j + this->EdgeOffsets[k][1], lines[k], hits[k], share }; };
+  const auto rayAt = [&](std::size_t k, double fraction) {
+    return PixelRay{ i + this->EdgeOffsets[k][0], j + this->EdgeOffsets[k][1], lines[k], hits[k], fraction };
+  };
   const std::size_t most = mostSurfaces * static_cast<std::size_t>(this->Options.NumberOfEdgeSamples);
   if (surfaces.size() > most)
   {

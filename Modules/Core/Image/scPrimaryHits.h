@@ -1,77 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scPrimaryHits.h
- * @brief What the camera's rays meet first, and the part of a ray inside the medium. Internal to Core.
+ * @brief What the camera's rays meet first, and which pixels see several surfaces. Internal to Core.
  */
 #ifndef scPrimaryHits_h
 #define scPrimaryHits_h
 
-#include "scScatteringImage.h"
+#include "scParallel.h"
+#include "scPixelRay.h"
+#include "scPrimaryHit.h"
+#include "scScatteringOptions.h"
+#include "scScatteringScene.h"
 #include "scVisibleLight.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <vector>
 
 namespace shadowcones
 {
-
-/// The nearest surface on a camera ray.
-struct PrimaryHit
-{
-  double T = HUGE_VAL;     ///< distance; infinite where there is none
-  vtkIdType Triangle = -1; ///< -1 where there is none
-  /// The lights that are before the surface: bit k % 64 for the k-th.
-  std::uint64_t LightsSeen = 0;
-
-  bool HasSurface() const { return this->Triangle >= 0; }
-};
-
-/// A camera ray, and the share of its pixel that it stands for.
-struct PixelRay
-{
-  double I = 0.0; ///< where it pierces the image, in pixels
-  double J = 0.0;
-  Ray Line;
-  PrimaryHit Hit;
-  double Share = 1.0;
-};
-
-/// The part of a camera ray inside the medium's bounds, up to the first surface.
-struct MediumSegment
-{
-  bool Crosses = false;
-  double Begin = 0.0;
-  double End = 0.0;
-  double EndOfMarch = 0.0; ///< a little before a surface: an occlusion ray would start on the wrong side of it
-
-  double Length() const { return this->Crosses ? this->End - this->Begin : 0.0; }
-};
-
-inline MediumSegment SegmentInside(
-  const Box& bounds, const OccluderScene& occluders, const Ray& ray, const PrimaryHit& hit)
-{
-  MediumSegment segment;
-  segment.End = hit.T;
-  segment.Crosses = bounds.Clip(ray.Origin, ray.Direction, segment.Begin, segment.End);
-  segment.EndOfMarch = segment.End;
-  if (segment.Crosses && hit.HasSurface() && segment.End >= hit.T)
-  {
-    const double cosine = std::fabs(Dot(ray.Direction, occluders.TriangleNormal(hit.Triangle)));
-    const double gap = 4.0 * RoundingAlong(ray.Origin, hit.T) / std::max(cosine, 0.01);
-    segment.EndOfMarch = std::max(segment.End - gap, 0.5 * (segment.Begin + segment.End));
-  }
-  return segment;
-}
-
-/// The unit normal of the surface that a ray hits, on the ray's side.
-inline Vector3 NormalTowards(const OccluderScene& occluders, const Ray& ray, const PrimaryHit& hit)
-{
-  const Vector3 normal = occluders.TriangleNormal(hit.Triangle);
-  return Dot(normal, ray.Direction) > 0.0 ? -normal : normal;
-}
 
 /// The nearest surface of every pixel of an extent, and which pixels see several.
 class PrimaryHits
@@ -79,22 +25,22 @@ class PrimaryHits
 public:
   /// Everything is referred to and must outlive the hits. Of the scene the light does not matter; @p visibleLights are
   /// those that the camera sees.
-  PrimaryHits(
-    const ScatteringScene& scene, const ScatteringOptions& options, const std::vector<VisibleLight>& visibleLights);
+  PrimaryHits(const ScatteringScene& scene, const ScatteringOptions& options, const std::array<int, 4>& extent,
+    const std::vector<VisibleLight>& visibleLights);
 
-  /// Trace the rays through the centres of the pixels of @p options.Extent and, where edges are anti-aliased, through
+  /// Trace the rays through the centres of the pixels of the extent and, where edges are anti-aliased, through
   /// their corners. @return false where aborted.
   bool Trace(const Monitor& monitor);
 
   Ray RayOf(double i, double j) const
   {
-    return this->Scene.Eye.PixelRay(i, j, this->Options.Width, this->Options.Height);
+    return this->Scene.Camera.PixelRay(i, j, this->Options.Width, this->Options.Height);
   }
   /**
    * What a pixel is the mean of: the ray through its centre, and at an edge one ray for each surface that is seen in
-   * the pixel, with the share of the pixel that it covers. That share comes from 16 rays for each of
+   * the pixel, with the fraction of the pixel that it covers. That fraction comes from 16 rays for each of
    * NumberOfEdgeSamples: a bright rim that is thinner than a pixel does not come and go along its way. @p rays is
-   * overwritten; shares sum to 1.
+   * overwritten; fractions sum to 1.
    */
   void RaysOf(int i, int j, std::vector<PixelRay>& rays) const;
   /// The centre of pixel (i, j), counted over the whole image.
@@ -133,6 +79,7 @@ private:
 
   const ScatteringScene& Scene;
   const ScatteringOptions& Options;
+  const std::array<int, 4> Extent;
   const std::vector<VisibleLight>& Visible;
   const bool FindsEdges;
   Lattice Centers;

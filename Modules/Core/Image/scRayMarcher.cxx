@@ -17,18 +17,20 @@ constexpr int keyBits = 16;
 
 } // namespace
 
-RayMarcher::RayMarcher(const MarchScene& scene)
-  : Scene(scene)
-  , NumberOfGroups(scene.Groups.Count())
-  , Sampler(scene.LightSource, scene.Options.Sampling)
-  , Depth(scene.Fog)
-  , Rules(scene.Occluders.RulesFor(FlatFaceOf(scene.LightSource)))
-  , Intensities(static_cast<std::size_t>(scene.Strata.Count()))
+RayMarcher::RayMarcher(const RenderContext& context)
+  : Context(context)
+  , Scene(context.Scene)
+  , Groups(context.Groups)
+  , NumberOfGroups(context.Groups.Count())
+  , Sampler(context.Scene.Light, context.Options.Sampling)
+  , OpticalDepth(context.Scene.Medium)
+  , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
+  , Intensities(static_cast<std::size_t>(context.Strata.Count()))
 {
   for (int g = 0; g < this->NumberOfGroups; ++g)
   {
     const auto group = static_cast<std::size_t>(g);
-    const double sigmaT = scene.Groups.MeanSource[group] > 0.0 ? scene.Groups.SigmaT[group] : 0.0;
+    const double sigmaT = this->Groups.MeanScatteredRadiance[group] > 0.0 ? this->Groups.SigmaT[group] : 0.0;
     this->LargestSigmaT = std::max(this->LargestSigmaT, sigmaT);
   }
 }
@@ -36,47 +38,47 @@ RayMarcher::RayMarcher(const MarchScene& scene)
 void RayMarcher::March(const Ray& ray, double tBegin, double tEnd, std::uint64_t pixel)
 {
   this->CameraRay = ray;
-  this->Depth.SetRay(ray.Origin, ray.Direction, tBegin, tEnd);
-  this->PixelSeed = HashSeed(this->Scene.Options.Seed, pixel);
+  this->OpticalDepth.SetRay(ray.Origin, ray.Direction, tBegin, tEnd);
+  this->PixelSeed = HashSeed(this->Context.Options.Seed, pixel);
   this->Sums.assign(static_cast<std::size_t>(this->NumberOfGroups), 0.0);
   this->SumOfVariances = 0.0;
   this->SumOfLeaves = 0.0;
   this->SumOfExcess = 0.0;
   this->WorstExcess = 0.0;
-  this->WorstDepth = 0.0;
+  this->WorstOpticalDepth = 0.0;
   this->Samples = 0;
   this->OcclusionRays = 0;
 
-  this->FindStretches(tBegin, tEnd);
-  const std::size_t slots = this->Nodes.size() + static_cast<std::size_t>(this->Scene.Options.MaximumDepth);
+  this->FindIntervals(tBegin, tEnd);
+  const std::size_t slots = this->Nodes.size() + static_cast<std::size_t>(this->Context.Options.MaximumHalvings);
   this->Values.resize(slots * static_cast<std::size_t>(this->NumberOfGroups));
 
   this->EvaluateBaseNodes();
-  for (const Stretch& stretch : this->Stretches)
+  for (const MarchInterval& interval : this->Intervals)
   {
     this->PendingWeight = 0.0;
-    const Node* nodes = this->Nodes.data() + stretch.FirstNode;
-    for (int step = 0; step < stretch.NumberOfSteps; ++step)
+    const Node* nodes = this->Nodes.data() + interval.FirstNode;
+    for (int step = 0; step < interval.NumberOfSteps; ++step)
     {
       this->Refine(nodes[step], nodes[step + 1], 0);
     }
-    this->Add(nodes[stretch.NumberOfSteps], this->PendingWeight);
+    this->Add(nodes[interval.NumberOfSteps], this->PendingWeight);
   }
 }
 
-void RayMarcher::FindStretches(double tBegin, double tEnd)
+void RayMarcher::FindIntervals(double tBegin, double tEnd)
 {
-  const ScatteringOptions& options = this->Scene.Options;
-  this->Intervals.clear();
+  const ScatteringOptions& options = this->Context.Options;
+  this->InCones.clear();
   if (options.Mode != ScatteringMode::BruteForce && this->Scene.Cones)
   {
-    this->Scene.Cones->Intersect(this->CameraRay.Origin, this->CameraRay.Direction, tBegin, tEnd, this->Intervals);
+    this->Scene.Cones->Intersect(this->CameraRay.Origin, this->CameraRay.Direction, tBegin, tEnd, this->InCones);
   }
   if (options.Mode == ScatteringMode::Medium)
   {
     // A node on the very edge of a cone gets its rays, whatever the rounding.
     const double margin = 1e-9 * (tEnd - tBegin);
-    for (RayInterval& interval : this->Intervals)
+    for (OccluderInterval& interval : this->InCones)
     {
       interval.Begin -= margin;
       interval.End += margin;
@@ -84,7 +86,7 @@ void RayMarcher::FindStretches(double tBegin, double tEnd)
   }
 
   // Fast marches over what cones leave; the others over everything.
-  this->Stretches.clear();
+  this->Intervals.clear();
   const double step = (tEnd - tBegin) / options.NumberOfSteps;
   double begin = tBegin;
   std::size_t nodes = 0;
@@ -94,13 +96,13 @@ void RayMarcher::FindStretches(double tBegin, double tEnd)
     {
       const int steps =
         from == tBegin && to == tEnd ? options.NumberOfSteps : static_cast<int>(std::ceil((to - from) / step));
-      this->Stretches.push_back({ from, to, nodes, std::max(steps, 1) });
-      nodes += static_cast<std::size_t>(this->Stretches.back().NumberOfSteps) + 1;
+      this->Intervals.push_back({ { from, to }, nodes, std::max(steps, 1) });
+      nodes += static_cast<std::size_t>(this->Intervals.back().NumberOfSteps) + 1;
     }
   };
   if (options.Mode == ScatteringMode::Fast)
   {
-    for (const RayInterval& interval : this->Intervals)
+    for (const OccluderInterval& interval : this->InCones)
     {
       add(begin, interval.Begin);
       begin = std::max(begin, interval.End);
@@ -109,14 +111,14 @@ void RayMarcher::FindStretches(double tBegin, double tEnd)
   add(begin, tEnd);
 
   this->Nodes.resize(nodes);
-  for (const Stretch& stretch : this->Stretches)
+  for (const MarchInterval& interval : this->Intervals)
   {
-    for (int k = 0; k <= stretch.NumberOfSteps; ++k)
+    for (int k = 0; k <= interval.NumberOfSteps; ++k)
     {
-      const std::size_t index = stretch.FirstNode + static_cast<std::size_t>(k);
-      const double share = static_cast<double>(k) / stretch.NumberOfSteps;
+      const std::size_t index = interval.FirstNode + static_cast<std::size_t>(k);
+      const double fraction = static_cast<double>(k) / interval.NumberOfSteps;
       this->Nodes[index].T =
-        k == stretch.NumberOfSteps ? stretch.End : stretch.Begin + share * (stretch.End - stretch.Begin);
+        k == interval.NumberOfSteps ? interval.End : interval.Begin + fraction * (interval.End - interval.Begin);
       this->Nodes[index].Key = static_cast<std::uint64_t>(index) << keyBits;
       this->Nodes[index].Slot = index;
     }
@@ -127,13 +129,14 @@ void RayMarcher::EvaluateBaseNodes()
 {
   // The ray's largest intensity comes from the base nodes, so that halving does not depend on the order of visits.
   double largest = 0.0;
-  for (const Stretch& stretch : this->Stretches)
+  for (const MarchInterval& interval : this->Intervals)
   {
-    Node* nodes = this->Nodes.data() + stretch.FirstNode;
+    Node* nodes = this->Nodes.data() + interval.FirstNode;
     double densityBefore = 0.0;
-    for (int k = 0; k <= stretch.NumberOfSteps; ++k)
+    for (int k = 0; k <= interval.NumberOfSteps; ++k)
     {
-      const double densityAfter = k < stretch.NumberOfSteps ? this->Depth.MeanDensity(nodes[k].T, nodes[k + 1].T) : 0.0;
+      const double densityAfter =
+        k < interval.NumberOfSteps ? this->OpticalDepth.MeanDensity(nodes[k].T, nodes[k + 1].T) : 0.0;
       const double density = std::max(densityBefore, densityAfter);
       if (density > 0.0) // the others have no weight
       {
@@ -143,12 +146,12 @@ void RayMarcher::EvaluateBaseNodes()
       densityBefore = densityAfter;
     }
   }
-  this->Threshold = this->Scene.Options.IntensityThreshold * largest;
+  this->Threshold = this->Context.Options.IntensityThreshold * largest;
 }
 
 bool RayMarcher::NeedsOcclusionRays(double t) const
 {
-  switch (this->Scene.Options.Mode)
+  switch (this->Context.Options.Mode)
   {
     case ScatteringMode::BruteForce:
       return true;
@@ -157,29 +160,30 @@ bool RayMarcher::NeedsOcclusionRays(double t) const
     default:
       break;
   }
-  const auto after = std::upper_bound(this->Intervals.begin(), this->Intervals.end(), t,
-    [](double value, const RayInterval& interval) { return value < interval.Begin; });
-  return after != this->Intervals.begin() && t <= (after - 1)->End;
+  const auto after = std::upper_bound(this->InCones.begin(), this->InCones.end(), t,
+    [](double value, const OccluderInterval& interval) { return value < interval.Begin; });
+  return after != this->InCones.begin() && t <= (after - 1)->End;
 }
 
 void RayMarcher::Evaluate(Node& node)
 {
-  const MarchScene& scene = this->Scene;
+  const ScatteringScene& scene = this->Scene;
+  const LightStrata& strata = this->Context.Strata;
   const Vector3 point = this->CameraRay.Origin + node.T * this->CameraRay.Direction;
   const bool testOcclusion = this->NeedsOcclusionRays(node.T);
-  const double cameraLeg = this->Depth.Along(node.T);
+  const double cameraLeg = this->OpticalDepth.Along(node.T);
   const int groups = this->NumberOfGroups;
-  const double* sigmaT = scene.Groups.SigmaT.data();
-  const double* meanSource = scene.Groups.MeanSource.data();
+  const double* sigmaT = this->Groups.SigmaT.data();
+  const double* meanSource = this->Groups.MeanScatteredRadiance.data();
   double* values = this->Values.data() + node.Slot * static_cast<std::size_t>(groups);
   std::fill(values, values + groups, 0.0);
 
   RandomStream random(this->PixelSeed, node.Key);
   this->Sampler.MoveTo(point);
-  const int count = scene.Strata.Count();
+  const int count = strata.Count();
   for (int s = 0; s < count; ++s)
   {
-    const LightStrata::Point uv = scene.Strata.Draw(s, random);
+    const LightStrata::Point uv = strata.Draw(s, random);
     const IncidentSample sample = this->Sampler.Sample(uv.U, uv.V);
     double intensity = 0.0;
     if (sample.Weight > 0.0)
@@ -188,8 +192,8 @@ void RayMarcher::Evaluate(Node& node)
       if (!testOcclusion || !scene.Occluders.Occluded(point, sample.Direction, 0.0, sample.Distance, this->Rules))
       {
         const double cosine = Dot(sample.Direction, this->CameraRay.Direction);
-        const double source = sample.Weight * EvaluatePhaseFunction(scene.Fog.Phase, cosine);
-        const double lightLeg = this->Depth.Towards(point, sample.Direction, sample.Distance);
+        const double source = sample.Weight * EvaluatePhaseFunction(scene.Medium.Phase, cosine);
+        const double lightLeg = this->OpticalDepth.Towards(point, sample.Direction, sample.Distance);
         for (int g = 0; g < groups; ++g)
         {
           const double value = source * TransmittanceOver(sigmaT[g], cameraLeg + lightLeg);
@@ -206,15 +210,15 @@ void RayMarcher::Evaluate(Node& node)
     values[g] /= count;
     node.Intensity += meanSource[g] * values[g];
   }
-  node.Variance = scene.Strata.VarianceOfMean(this->Intensities.data());
+  node.Variance = strata.VarianceOfMean(this->Intensities.data());
   this->Samples += count;
 }
 
 void RayMarcher::Refine(const Node& a, const Node& b, int depth)
 {
   // The density enters by its integral: a layer thinner than a step counts in full.
-  const double density = this->Depth.MeanDensity(a.T, b.T);
-  if (depth < this->Scene.Options.MaximumDepth && density * std::fabs(a.Intensity - b.Intensity) > this->Threshold)
+  const double density = this->OpticalDepth.MeanDensity(a.T, b.T);
+  if (depth < this->Context.Options.MaximumHalvings && density * std::fabs(a.Intensity - b.Intensity) > this->Threshold)
   {
     Node middle;
     middle.T = 0.5 * (a.T + b.T);
@@ -242,7 +246,7 @@ void RayMarcher::RateStep(const Node& a, const Node& b, double density)
   if (excess > this->WorstExcess)
   {
     this->WorstExcess = excess;
-    this->WorstDepth = depth;
+    this->WorstOpticalDepth = depth;
   }
 }
 

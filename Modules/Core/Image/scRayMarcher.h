@@ -6,30 +6,18 @@
 #ifndef scRayMarcher_h
 #define scRayMarcher_h
 
-#include "scExtinction.h"
 #include "scLightSampler.h"
-#include "scLightStrata.h"
-#include "scMediumDepth.h"
-#include "scScatteringImage.h"
+#include "scMediumOpticalDepth.h"
+#include "scOccluderInterval.h"
+#include "scRay.h"
+#include "scRayInterval.h"
+#include "scRenderContext.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 namespace shadowcones
 {
-
-/// What all rays of an image share.
-struct MarchScene
-{
-  const OccluderScene& Occluders;
-  const Light& LightSource;
-  const Medium& Fog;
-  const ConeHierarchy* Cones; ///< nullptr: BruteForce
-  const ScatteringOptions& Options;
-  const ExtinctionGroups& Groups;
-  const LightStrata& Strata;
-};
 
 /**
  * Marches rays, one after the other; one marcher a thread. Random numbers are a pure function of (Seed, pixel, node),
@@ -38,7 +26,7 @@ struct MarchScene
 class RayMarcher
 {
 public:
-  explicit RayMarcher(const MarchScene& scene);
+  explicit RayMarcher(const RenderContext& context);
 
   /// Integrate over [tBegin, tEnd], the part of the ray inside the medium; @p pixel counts over the whole image.
   void March(const Ray& ray, double tBegin, double tEnd, std::uint64_t pixel);
@@ -54,7 +42,7 @@ public:
    */
   double Excess() const { return this->SumOfLeaves > 0.0 ? this->SumOfExcess / this->SumOfLeaves : 0.0; }
   /// Optical depth of the step that adds most to that.
-  double OpticalDepthOfStep() const { return this->WorstDepth; }
+  double OpticalDepthOfStep() const { return this->WorstOpticalDepth; }
   vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
 
 private:
@@ -66,15 +54,14 @@ private:
     double Variance = 0.0;  ///< of Intensity
     std::size_t Slot = 0;   ///< index into Values, in groups
   };
-  struct Stretch
+  /// A part of the ray that is marched over.
+  struct MarchInterval : RayInterval
   {
-    double Begin;
-    double End;
-    std::size_t FirstNode;
-    int NumberOfSteps;
+    std::size_t FirstNode = 0;
+    int NumberOfSteps = 1;
   };
 
-  void FindStretches(double tBegin, double tEnd);
+  void FindIntervals(double tBegin, double tEnd);
   void Evaluate(Node& node);
   void EvaluateBaseNodes();
   bool NeedsOcclusionRays(double t) const;
@@ -82,10 +69,12 @@ private:
   void Add(const Node& node, double weight);
   void RateStep(const Node& a, const Node& b, double density);
 
-  const MarchScene& Scene;
+  const RenderContext& Context;
+  const ScatteringScene& Scene;
+  const ExtinctionGroups& Groups;
   const int NumberOfGroups;
   LightSampler Sampler;
-  MediumDepth Depth;
+  MediumOpticalDepth OpticalDepth;
   const RayRules Rules; ///< for what is flush with the light
   std::vector<double> Intensities; ///< of the light samples of one node
   Ray CameraRay;
@@ -93,8 +82,8 @@ private:
   double Threshold = 0.0;     ///< absolute, of this ray
   double PendingWeight = 0.0; ///< of the node at the left end of the next leaf interval
 
-  std::vector<RayInterval> Intervals;
-  std::vector<Stretch> Stretches;
+  std::vector<OccluderInterval> InCones;
+  std::vector<MarchInterval> Intervals;
   std::vector<Node> Nodes;
   std::vector<double> Values; ///< NumberOfGroups a slot: one slot a base node, then one a level of halving
   std::vector<double> Sums;
@@ -103,7 +92,7 @@ private:
   double SumOfLeaves = 0.0; ///< intensities times lengths of steps
   double SumOfExcess = 0.0;
   double WorstExcess = 0.0;
-  double WorstDepth = 0.0;
+  double WorstOpticalDepth = 0.0;
   vtkIdType Samples = 0;
   vtkIdType OcclusionRays = 0;
 };

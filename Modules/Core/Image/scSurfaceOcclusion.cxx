@@ -60,13 +60,13 @@ bool SurfaceOcclusion::NearMark(const Vector3& point) const
   int last[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double place = (point[axis] - grid.Origin[axis]) / grid.Spacing[axis];
+    const double coordinate = (point[axis] - grid.Origin[axis]) / grid.Spacing[axis];
     const int vertices = grid.Dimensions[static_cast<std::size_t>(axis)];
-    if (!(place >= 0.0 && place <= vertices - 1.0))
+    if (!(coordinate >= 0.0 && coordinate <= vertices - 1.0))
     {
       return true; // the grid knows nothing of points outside
     }
-    const auto cell = static_cast<int>(place);
+    const auto cell = static_cast<int>(coordinate);
     first[axis] = std::max(cell - 1, 0);
     last[axis] = std::min(cell + 2, vertices - 1);
   }

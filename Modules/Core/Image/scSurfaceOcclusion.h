@@ -6,7 +6,9 @@
 #ifndef scSurfaceOcclusion_h
 #define scSurfaceOcclusion_h
 
-#include "scScatteringImage.h"
+#include "scConeHierarchy.h"
+#include "scScatteringOptions.h"
+#include "scScatteringScene.h"
 
 #include <memory>
 
@@ -26,7 +28,7 @@ public:
   /// Can anything hide the light from a surface point? Where not, no ray is needed.
   bool NeedsRays(const Vector3& point) const;
 
-  /// Soft: the share of the light that reaches a surface point, seen from the side of its unit normal; else 1.
+  /// Soft: the fraction of the light that reaches a surface point, seen from the side of its unit normal; else 1.
   double VisibleFraction(const Vector3& point, const Vector3& normal) const;
 
 private:

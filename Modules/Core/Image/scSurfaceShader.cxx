@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scSurfaceShader.h"
 
-#include "scLampPlane.h"
+#include "scConstants.h"
+#include "scLitKernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,59 +10,21 @@
 namespace shadowcones
 {
 
-namespace
-{
-
-constexpr double pi = 3.14159265358979323846;
-
-} // namespace
-
-ShadingLight::ShadingLight(const ScatteringScene& scene, const ScatteringOptions& options)
-  : Scene(scene)
-  , Occlusion(scene, options)
-  , Rules(scene.Occluders.RulesFor(FlatFaceOf(scene.Source)))
-  , UsesRule(!IsMarched(options.Mode) && scene.Source.Shape != LightShape::Mesh)
-  , Rule(scene.Source, 0)
-  , NearRule(scene.Source, 2)
-{
-}
-
-const LightRule& ShadingLight::RuleAt(const Vector3& point) const
-{
-  const bool planar = this->Scene.Source.Shape == LightShape::Disc || this->Scene.Source.Shape == LightShape::Rectangle;
-  return planar && !this->Rule.IsByArea(point) ? this->NearRule : this->Rule;
-}
-
-ShadingScene::ShadingScene(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options,
-  const std::vector<VisibleLight>& visibleLights, const PrimaryHits& hits)
-  : Scenes(scenes)
-  , Options(options)
-  , Groups(scenes.front().Source.Spectrum, scenes.front().Fog)
-  , Visible(visibleLights)
-  , Hits(hits)
-  , Strata(options.NumberOfSurfaceLightSamples)
-  , EdgeStrata((options.NumberOfSurfaceLightSamples + 1) / 2)
-{
-  for (const ScatteringScene& scene : scenes)
-  {
-    this->Lights.push_back(std::make_unique<ShadingLight>(scene, options));
-  }
-}
-
-SurfaceShader::SurfaceShader(const ShadingScene& shading, ScatteringImage& image)
+SurfaceShader::SurfaceShader(const ShadingScene& shading, const PrimaryHits& hits, ScatteringImage& image)
   : Shading(shading)
+  , Hits(hits)
   , Scene(shading.Scenes.front())
   , Options(shading.Options)
   , Groups(shading.Groups)
   , Image(image)
-  , Depth(shading.Scenes.front().Fog)
+  , OpticalDepth(shading.Scenes.front().Medium)
   , Surface(shading.Groups.GroupOf.size())
   , SeenLight(shading.Groups.GroupOf.size())
   , Sums(static_cast<std::size_t>(shading.Groups.Count()))
 {
   for (const ScatteringScene& scene : shading.Scenes)
   {
-    this->Samplers.emplace_back(scene.Source, shading.Options.Sampling);
+    this->Samplers.emplace_back(scene.Light, shading.Options.Sampling);
   }
 }
 
@@ -72,25 +35,24 @@ double SurfaceShader::SigmaT(std::size_t wavelength) const
 
 void SurfaceShader::Shade(int i, int j)
 {
-  const PrimaryHits& hits = this->Shading.Hits;
-  const std::size_t index = IndexInExtent(this->Options, i, j);
+  const std::size_t index = this->Image.IndexOf(i, j);
   const std::uint64_t pixel = PixelIndex(this->Options, i, j);
-  const Ray ray = hits.RayOf(i, j);
-  const PrimaryHit& hit = hits.At(i, j);
+  const Ray ray = this->Hits.RayOf(i, j);
+  const PrimaryHit& hit = this->Hits.At(i, j);
 
   std::fill(this->Surface.begin(), this->Surface.end(), 0.0);
   std::fill(this->SeenLight.begin(), this->SeenLight.end(), 0.0);
-  hits.RaysOf(i, j, this->Rays);
+  this->Hits.RaysOf(i, j, this->Rays);
   const bool isEdge = this->Rays.size() > 1;
   for (std::size_t k = 0; k < this->Rays.size(); ++k)
   {
     const PixelRay& part = this->Rays[k];
     this->AddRay(part.Line, part.Hit, isEdge ? this->Shading.EdgeStrata : this->Shading.Strata, pixel,
-      isEdge ? k + 1 : 0, part.Share);
+      isEdge ? k + 1 : 0, part.Fraction);
   }
 
   this->Image.Depth[index] = hit.HasSurface() ? static_cast<float>(hit.T) : -1.0f;
-  const double depth = this->Depth.TowardsFromOutside(ray.Origin, ray.Direction, hit.T);
+  const double depth = this->OpticalDepth.TowardsFromOutside(ray.Origin, ray.Direction, hit.T);
   for (std::size_t g = 0; g < this->Sums.size(); ++g)
   {
     this->Sums[g] = TransmittanceOver(this->Groups.SigmaT[g], depth);
@@ -98,50 +60,50 @@ void SurfaceShader::Shade(int i, int j)
   const std::size_t wavelengths = this->Groups.GroupOf.size();
   for (std::size_t k = 0; k < wavelengths; ++k)
   {
-    const std::size_t place = index * wavelengths + k;
-    this->Image.Transmittance[place] =
+    const std::size_t value = index * wavelengths + k;
+    this->Image.Transmittance[value] =
       static_cast<float>(this->Sums[static_cast<std::size_t>(this->Groups.GroupOf[k])]);
-    this->Image.SurfaceRadiance[place] = static_cast<float>(this->Surface[k]);
-    this->Image.Radiance[place] = this->Image.InScattering[place] + this->Image.SurfaceRadiance[place];
-    this->Image.Radiance[place] += static_cast<float>(this->SeenLight[k]);
+    this->Image.SurfaceRadiance[value] = static_cast<float>(this->Surface[k]);
+    this->Image.Radiance[value] = this->Image.InScattering[value] + this->Image.SurfaceRadiance[value];
+    this->Image.Radiance[value] += static_cast<float>(this->SeenLight[k]);
   }
 }
 
-void SurfaceShader::AddRay(const Ray& ray, const PrimaryHit& hit, const LightStrata& strata,
-  std::uint64_t pixel, std::uint64_t key, double share)
+void SurfaceShader::AddRay(const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, std::uint64_t pixel,
+  std::uint64_t key, double fraction)
 {
   if (hit.HasSurface() && strata.Count() > 0)
   {
     // Keys of march nodes end in 16 bits below the number of steps: these are no node's.
-    this->AddSurface(ray, hit, strata, RandomStream(HashSeed(this->Options.Seed, pixel), ~key), share);
+    this->AddSurface(ray, hit, strata, RandomStream(HashSeed(this->Options.Seed, pixel), ~key), fraction);
   }
   if (hit.LightsSeen)
   {
-    this->AddLight(ray, hit, share);
+    this->AddLight(ray, hit, fraction);
   }
 }
 
 /// Direct light on a Lambertian surface, both sides alike, seen through the medium.
 void SurfaceShader::AddSurface(
-  const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, RandomStream random, double share)
+  const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, RandomStream random, double fraction)
 {
   const OccluderScene& occluders = this->Scene.Occluders;
   const Vector3 normal = NormalTowards(occluders, ray, hit);
   this->Point = ray.Origin + hit.T * ray.Direction + RoundingAlong(ray.Origin, hit.T) * normal;
-  this->PointInside = this->Scene.Fog.Bounds.Contains(this->Point);
-  this->CameraDepth = this->Depth.TowardsFromOutside(ray.Origin, ray.Direction, hit.T);
+  this->PointInside = this->Scene.Medium.Bounds.Contains(this->Point);
+  this->CameraOpticalDepth = this->OpticalDepth.TowardsFromOutside(ray.Origin, ray.Direction, hit.T);
   for (std::size_t light = 0; light < this->Shading.Lights.size(); ++light)
   {
     const ConeHierarchy* cones = this->Shading.Scenes[light].Cones;
     if (this->Options.Mode != ScatteringMode::Fast || !this->InForeignCone(cones, ray, hit))
     {
-      this->AddSurfaceLight(light, normal, hit.Triangle, strata, random, share);
+      this->AddSurfaceLight(light, normal, hit.Triangle, strata, random, fraction);
     }
   }
 }
 
 void SurfaceShader::AddSurfaceLight(std::size_t light, const Vector3& normal, vtkIdType triangle,
-  const LightStrata& strata, RandomStream random, double share)
+  const LightStrata& strata, RandomStream random, double fraction)
 {
   const ShadingLight& shading = *this->Shading.Lights[light];
   const bool trace = shading.Occlusion.NeedsRays(this->Point);
@@ -155,11 +117,11 @@ void SurfaceShader::AddSurfaceLight(std::size_t light, const Vector3& normal, vt
     this->AddSamples(light, normal, strata, trace, random);
   }
 
-  const double scale = share * shading.Occlusion.VisibleFraction(this->Point, normal) / pi;
+  const double scale = fraction * shading.Occlusion.VisibleFraction(this->Point, normal) / Pi;
   for (std::size_t k = 0; k < this->Surface.size(); ++k)
   {
     const double irradiance =
-      shading.Scene.Source.Spectrum[k] * this->Sums[static_cast<std::size_t>(this->Groups.GroupOf[k])];
+      shading.Scene.Light.Spectrum[k] * this->Sums[static_cast<std::size_t>(this->Groups.GroupOf[k])];
     this->Surface[k] += scale * this->Reflectance(triangle, k) * irradiance;
   }
 }
@@ -171,9 +133,9 @@ void SurfaceShader::AddLit(const Vector3& direction, double distance, double wei
   {
     return;
   }
-  const double depth = this->CameraDepth +
-    (this->PointInside ? this->Depth.Towards(this->Point, direction, distance)
-                       : this->Depth.TowardsFromOutside(this->Point, direction, distance));
+  const double depth = this->CameraOpticalDepth +
+    (this->PointInside ? this->OpticalDepth.Towards(this->Point, direction, distance)
+                       : this->OpticalDepth.TowardsFromOutside(this->Point, direction, distance));
   for (std::size_t g = 0; g < this->Sums.size(); ++g)
   {
     this->Sums[g] += weight * TransmittanceOver(this->Groups.SigmaT[g], depth);
@@ -183,7 +145,7 @@ void SurfaceShader::AddLit(const Vector3& direction, double distance, double wei
 /// Add the light that nothing hides, without noise.
 void SurfaceShader::AddRule(const LightRule& rule, const Vector3& normal)
 {
-  if (!this->PointInside || !this->Depth.IsHomogeneous() || !rule.IsByArea(this->Point))
+  if (!this->PointInside || !this->OpticalDepth.IsHomogeneous() || !rule.IsByArea(this->Point))
   {
     rule.ForEach(this->Point,
       [&](const IncidentSample& sample)
@@ -197,7 +159,7 @@ void SurfaceShader::AddRule(const LightRule& rule, const Vector3& normal)
   float* cosine = weight + count;
   float* leg = cosine + count;
   // Of the surface's normal the cosine is asked, not of a ray's direction.
-  LookAtLight(points, rule.ViewFrom(this->Point, normal, this->Scene.Fog.Bounds), weight, cosine, leg);
+  LookAtLight(points, rule.ViewFrom(this->Point, normal, this->Scene.Medium.Bounds), weight, cosine, leg);
   for (std::size_t k = 0; k < count; ++k)
   {
     weight[k] *= std::max(cosine[k], 0.0f);
@@ -206,7 +168,7 @@ void SurfaceShader::AddRule(const LightRule& rule, const Vector3& normal)
   {
     const double sigmaT = this->Groups.SigmaT[g];
     const float sum = SumAttenuated(weight, leg, points.Count, static_cast<float>(sigmaT));
-    this->Sums[g] += TransmittanceOver(sigmaT, this->CameraDepth) * static_cast<double>(sum);
+    this->Sums[g] += TransmittanceOver(sigmaT, this->CameraOpticalDepth) * static_cast<double>(sum);
   }
 }
 
@@ -259,7 +221,7 @@ std::uint64_t SurfaceShader::DrawBatch(LightSampler& sampler, const Vector3& nor
 std::uint64_t SurfaceShader::Occluded(std::size_t light, std::uint64_t wanted)
 {
   LightBatch& batch = this->Batch;
-  const bool infinity = IsAtInfinity(this->Shading.Scenes[light].Source);
+  const bool infinity = IsAtInfinity(this->Shading.Scenes[light].Light);
   for (int s = 0; s < LightBatch::Size; ++s)
   {
     if ((wanted >> s) & 1u)
@@ -275,7 +237,7 @@ std::uint64_t SurfaceShader::Occluded(std::size_t light, std::uint64_t wanted)
     this->Point, batch.X, batch.Y, batch.Z, wanted, infinity, this->Shading.Lights[light]->Rules);
 }
 
-void SurfaceShader::AddLight(const Ray& ray, const PrimaryHit& hit, double share)
+void SurfaceShader::AddLight(const Ray& ray, const PrimaryHit& hit, double fraction)
 {
   const double end = hit.T + RoundingAlong(ray.Origin, hit.T);
   for (std::size_t light = 0; light < this->Shading.Visible.size(); ++light)
@@ -286,11 +248,11 @@ void SurfaceShader::AddLight(const Ray& ray, const PrimaryHit& hit, double share
     {
       continue;
     }
-    const std::vector<double>& spectrum = this->Shading.Scenes[light].Source.Spectrum;
-    const double depth = this->Depth.TowardsFromOutside(ray.Origin, ray.Direction, t);
+    const std::vector<double>& spectrum = this->Shading.Scenes[light].Light.Spectrum;
+    const double depth = this->OpticalDepth.TowardsFromOutside(ray.Origin, ray.Direction, t);
     for (std::size_t k = 0; k < this->SeenLight.size(); ++k)
     {
-      this->SeenLight[k] += share * scale * spectrum[k] * TransmittanceOver(this->SigmaT(k), depth);
+      this->SeenLight[k] += fraction * scale * spectrum[k] * TransmittanceOver(this->SigmaT(k), depth);
     }
   }
 }
@@ -307,7 +269,7 @@ bool SurfaceShader::InForeignCone(const ConeHierarchy* cones, const Ray& ray, co
   cones->Intersect(ray.Origin, ray.Direction, hit.T - probe, hit.T, this->Intervals, true);
   const int own = occluders.Mesh().OccluderId(hit.Triangle);
   return std::any_of(this->Intervals.begin(), this->Intervals.end(),
-    [own](const RayInterval& interval) { return interval.OccluderId != own; });
+    [own](const OccluderInterval& interval) { return interval.OccluderId != own; });
 }
 
 double SurfaceShader::Reflectance(vtkIdType triangle, std::size_t wavelength) const

@@ -6,58 +6,26 @@
 #ifndef scSurfaceShader_h
 #define scSurfaceShader_h
 
-#include "scExtinction.h"
+#include "scExtinctionGroups.h"
 #include "scLightRule.h"
 #include "scLightSampler.h"
 #include "scLightStrata.h"
-#include "scMediumDepth.h"
+#include "scMediumOpticalDepth.h"
+#include "scOccluderInterval.h"
+#include "scPixelRay.h"
+#include "scPrimaryHit.h"
 #include "scPrimaryHits.h"
 #include "scRandom.h"
-#include "scSurfaceOcclusion.h"
-#include "scVisibleLight.h"
+#include "scScatteringImage.h"
+#include "scScatteringOptions.h"
+#include "scScatteringScene.h"
+#include "scShadingScene.h"
 
-#include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace shadowcones
 {
-
-/// What shading by one light shares among pixels.
-struct ShadingLight
-{
-  ShadingLight(const ScatteringScene& scene, const ScatteringOptions& options);
-
-  const ScatteringScene& Scene;
-  const SurfaceOcclusion Occlusion;
-  const RayRules Rules; ///< for what is flush with the light
-  /// Where nothing can hide the light, the modes that are not bound to the bytes of BruteForce integrate without noise.
-  const bool UsesRule;
-  /// The rule for light that nothing hides from a surface point.
-  const LightRule& RuleAt(const Vector3& point) const;
-
-private:
-  const LightRule Rule;
-  const LightRule NearRule; ///< close to a planar light, where the surface's horizon may cut it
-};
-
-/// What shading the pixels of an image shares.
-struct ShadingScene
-{
-  /// @param scenes one a light; @param visibleLights one a light, or none where the camera does not see them.
-  ShadingScene(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options,
-    const std::vector<VisibleLight>& visibleLights, const PrimaryHits& hits);
-
-  const std::vector<ScatteringScene>& Scenes;
-  const ScatteringOptions& Options;
-  const ExtinctionGroups Groups; ///< their Source is that of the first light
-  const std::vector<VisibleLight>& Visible;
-  const PrimaryHits& Hits;
-  const LightStrata Strata;     ///< of a pixel with one ray
-  const LightStrata EdgeStrata; ///< of each ray of a pixel at an edge: two of them have about as many as Strata
-  std::vector<std::unique_ptr<const ShadingLight>> Lights;
-};
 
 /**
  * Writes "SurfaceRadiance", "Transmittance", "Depth" and, from the finished medium term, "Radiance"; one a thread. A
@@ -67,8 +35,8 @@ struct ShadingScene
 class SurfaceShader
 {
 public:
-  /// The image's arrays have their size; @p shading and @p image must outlive the shader.
-  SurfaceShader(const ShadingScene& shading, ScatteringImage& image);
+  /// The image's arrays have their size; everything must outlive the shader.
+  SurfaceShader(const ShadingScene& shading, const PrimaryHits& hits, ScatteringImage& image);
 
   void Shade(int i, int j);
 
@@ -76,14 +44,14 @@ public:
 
 private:
   double SigmaT(std::size_t wavelength) const;
-  /// Add @p share of what the ray sees; @p key tells the random numbers of a pixel's rays apart.
-  void AddRay(const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, std::uint64_t pixel,
-    std::uint64_t key, double share);
+  /// Add @p fraction of what the ray sees; @p key tells the random numbers of a pixel's rays apart.
+  void AddRay(const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, std::uint64_t pixel, std::uint64_t key,
+    double fraction);
   void AddSurface(
-    const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, RandomStream random, double share);
+    const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, RandomStream random, double fraction);
   /// The same for the light of this index, at the point on the surface.
   void AddSurfaceLight(std::size_t light, const Vector3& normal, vtkIdType triangle, const LightStrata& strata,
-    RandomStream random, double share);
+    RandomStream random, double fraction);
   void AddLit(const Vector3& direction, double distance, double weight);
   void AddRule(const LightRule& rule, const Vector3& normal);
   void AddSamples(
@@ -91,7 +59,7 @@ private:
   std::uint64_t DrawBatch(LightSampler& sampler, const Vector3& normal, const LightStrata& strata, int first, int size,
     RandomStream& random);
   std::uint64_t Occluded(std::size_t light, std::uint64_t wanted);
-  void AddLight(const Ray& ray, const PrimaryHit& hit, double share);
+  void AddLight(const Ray& ray, const PrimaryHit& hit, double fraction);
   bool InForeignCone(const ConeHierarchy* cones, const Ray& ray, const PrimaryHit& hit);
   double Reflectance(vtkIdType triangle, std::size_t wavelength) const;
 
@@ -108,23 +76,24 @@ private:
   };
 
   const ShadingScene& Shading;
+  const PrimaryHits& Hits;
   const ScatteringScene& Scene; ///< of the first light: what all lights share
   const ScatteringOptions& Options;
   const ExtinctionGroups& Groups;
   ScatteringImage& Image;
-  const MediumDepth Depth;
+  const MediumOpticalDepth OpticalDepth;
   std::vector<LightSampler> Samplers; ///< one a light
   LightBatch Batch;
   Vector3 Point; ///< on the surface that is shaded, a little above it
   bool PointInside = false;
-  double CameraDepth = 0.0;
+  double CameraOpticalDepth = 0.0;
   vtkIdType OcclusionRays = 0;
   std::vector<PixelRay> Rays;    ///< of the pixel
   std::vector<double> Surface;   ///< of the pixel, per wavelength
   std::vector<double> SeenLight; ///< of the pixel, per wavelength
   std::vector<double> Sums;      ///< of one ray, per extinction group
   std::vector<float> RuleValues; ///< weight, cosine and length in the medium of each point of a light rule
-  std::vector<RayInterval> Intervals;
+  std::vector<OccluderInterval> Intervals;
 };
 
 } // namespace shadowcones

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scVisibleLight.h"
 
+#include "scConstants.h"
+
 #include <algorithm>
 
 namespace shadowcones
 {
 
 VisibleLight::VisibleLight(const Light& light)
-  : Source(light)
+  : Lamp(light)
 {
   if (light.Shape == LightShape::Sun)
   {
     // The spectrum is an irradiance; spread over the solid angle 2 pi (1 - cos r) it is a radiance.
     const double s = std::sin(0.5 * light.Radius);
-    const double solidAngle = 12.566370614359172 * s * s;
+    const double solidAngle = FourPi * s * s;
     this->Scale = solidAngle > 0.0 ? 1.0 / solidAngle : 0.0;
   }
   if (light.Shape == LightShape::Mesh && !light.Triangles.empty())
@@ -44,7 +46,7 @@ bool VisibleLight::Intersect(
 
 bool VisibleLight::IntersectShape(const Vector3& origin, const Vector3& direction, double tMax, double& t) const
 {
-  const Light& light = this->Source;
+  const Light& light = this->Lamp;
   switch (light.Shape)
   {
     case LightShape::Disc:

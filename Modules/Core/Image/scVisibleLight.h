@@ -30,7 +30,7 @@ public:
 private:
   bool IntersectShape(const Vector3& origin, const Vector3& direction, double tMax, double& t) const;
 
-  const Light& Source;
+  const Light& Lamp;
   double Scale = 1.0;
   std::vector<double> Points;
   std::vector<vtkIdType> Triangles;

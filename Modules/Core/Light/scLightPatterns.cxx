@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scLightPatterns.h"
 
+#include "scBits.h"
+#include "scFrame.h"
+#include "scLightSampling.h"
 #include "scRandom.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace shadowcones
 {
@@ -14,14 +16,6 @@ namespace
 constexpr int samplesOfAllPatterns = 16384;
 constexpr int mostPatterns = 256;
 constexpr int fewestPatterns = 4;
-
-std::uint64_t BitsOf(double x)
-{
-  x += 0.0; // -0 and 0 are the same place
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &x, sizeof(bits));
-  return bits;
-}
 
 bool IsPlanar(const Light& light)
 {
@@ -35,7 +29,7 @@ bool IsPointlike(const Light& light)
 } // anonymous namespace
 
 LightPatterns::LightPatterns(const Light& light, int numberOfSamples, std::uint64_t seed)
-  : LightSource(light)
+  : TheLight(light)
   , NumberOfSamples(numberOfSamples)
   , Seed(seed)
 {
@@ -70,7 +64,7 @@ LightPatterns::LightPatterns(const Light& light, int numberOfSamples, std::uint6
 
 void LightPatterns::AddPattern(std::size_t pattern)
 {
-  const Light& light = this->LightSource;
+  const Light& light = this->TheLight;
   const std::uint64_t seed = HashSeed(this->Seed, pattern);
   for (std::size_t k = 0; k < this->Stride; ++k)
   {
@@ -111,7 +105,7 @@ std::size_t LightPatterns::PatternOf(const Vector3& point) const
 
 bool LightPatterns::IsWholeFrom(const Vector3& point) const
 {
-  const Light& light = this->LightSource;
+  const Light& light = this->TheLight;
   const Vector3 toCenter = light.Center - point;
   switch (light.Shape)
   {
@@ -133,9 +127,9 @@ void LightPatterns::LookAtSphere(const Vector3& point, std::size_t first, LightV
 {
   // Uniform in the cap's solid angle: 1 - cos grows with the square of the place on the unit disc. No digits are lost
   // in small angles.
-  const Vector3 toCenter = this->LightSource.Center - point;
+  const Vector3 toCenter = this->TheLight.Center - point;
   const double distance = Length(toCenter);
-  const double radius = this->LightSource.Radius;
+  const double radius = this->TheLight.Radius;
   if (!(distance > radius))
   {
     std::fill(view.Open.begin(), view.Open.end(), 0);
@@ -162,7 +156,7 @@ void LightPatterns::LookAtSphere(const Vector3& point, std::size_t first, LightV
 
 void LightPatterns::LookFrom(const Vector3& point, LightView& view) const
 {
-  const Light& light = this->LightSource;
+  const Light& light = this->TheLight;
   const std::size_t first = this->PatternOf(point) * this->Stride;
   const auto count = static_cast<std::size_t>(this->NumberOfSamples);
   view.X.resize(this->Stride);

@@ -8,7 +8,6 @@
 
 #include "scLight.h"
 
-#include <bitset>
 #include <cstdint>
 #include <vector>
 
@@ -17,11 +16,6 @@ namespace shadowcones
 
 /// One bit a light sample, in blocks of 64.
 using LightMask = std::vector<std::uint64_t>;
-
-inline int CountBits(std::uint64_t word)
-{
-  return static_cast<int>(std::bitset<64>(word).count());
-}
 
 /// The samples of one point; arrays are padded with zeros to whole blocks of 64. One a thread.
 struct LightView
@@ -49,7 +43,7 @@ public:
   /// The samples are all of the light: there is no sampling error.
   bool IsExact() const { return this->Exact; }
   std::size_t NumberOfBlocks() const { return this->Stride / 64; }
-  const Light& Source() const { return this->LightSource; }
+  const Light& Lamp() const { return this->TheLight; }
   const Vector3& AxisU() const { return this->U; }
   const Vector3& AxisV() const { return this->V; }
 
@@ -63,7 +57,7 @@ private:
   void AddPattern(std::size_t pattern);
   void LookAtSphere(const Vector3& point, std::size_t first, LightView& view) const;
 
-  Light LightSource;
+  Light TheLight;
   int NumberOfSamples;
   bool Exact = false;
   std::uint64_t Seed;

@@ -10,13 +10,13 @@ namespace shadowcones
 namespace
 {
 constexpr double twoPi = 6.28318530717958647692;
-constexpr int ringsOfLevel[LightRule::NumberOfLevels] = { 2, 3, 5, 8, 16 };
+constexpr int ringsOfLevel[LightRule::NumberOfLevels] = { 2, 3, 5, 8, 16 }; // see LargestNumberOfRings
 constexpr int sideOfLevel[LightRule::NumberOfLevels] = { 4, 6, 10, 16, 32 };
 /// Point lights are taken one by one up to so many.
 constexpr std::size_t largestNumberOfVertices = 1024;
 
 /// Rules over the area are for points at least this share of the light's radius away.
-constexpr double nearShare = 0.4;
+constexpr double nearFraction = 0.4;
 
 /// A ring's spokes are turned by half a step against the next ring's.
 double SpokeAngle(int ring, int spoke, int spokes)
@@ -26,7 +26,7 @@ double SpokeAngle(int ring, int spoke, int spokes)
 } // anonymous namespace
 
 LightRule::LightRule(const Light& light, int level)
-  : Source(light)
+  : Lamp(light)
 {
   const int rings = ringsOfLevel[level];
   switch (light.Shape)
@@ -51,7 +51,7 @@ LightRule::LightRule(const Light& light, int level)
         break;
       }
       this->Mesh.emplace(light, level);
-      this->Places = this->Mesh->Places();
+      this->Points = this->Mesh->Points();
       break;
   }
   this->AddOffsets();
@@ -59,22 +59,23 @@ LightRule::LightRule(const Light& light, int level)
 
 void LightRule::SetNear(double radius)
 {
+  this->HasNear = true;
   this->Radius = radius;
-  this->Near = nearShare * radius;
-  this->BesideSquared = (1.0 + nearShare) * (1.0 + nearShare) * radius * radius;
+  this->Near = nearFraction * radius;
+  this->BesideSquared = (1.0 + nearFraction) * (1.0 + nearFraction) * radius * radius;
 }
 
 void LightRule::AddOffsets()
 {
   double radius = 0.0;
-  LightBoundingSphere(this->Source, this->Middle, radius);
+  LightBoundingSphere(this->Lamp, this->Middle, radius);
   for (int component = 0; component < 7; ++component)
   {
-    for (const LightPlace& place : this->Places)
+    for (const LightPoint& lightPoint : this->Points)
     {
-      const Vector3 offset = place.Position - this->Middle;
+      const Vector3 offset = lightPoint.Position - this->Middle;
       this->Offsets.push_back(static_cast<float>(
-        component < 3 ? offset[component] : (component < 6 ? place.Normal[component - 3] : place.Area)));
+        component < 3 ? offset[component] : (component < 6 ? lightPoint.Normal[component - 3] : lightPoint.Area)));
     }
   }
 }
@@ -82,10 +83,11 @@ void LightRule::AddOffsets()
 void LightRule::AddDisc(int rings)
 {
   const GaussLegendre rule(rings);
-  const Light& light = this->Source;
+  const Light& light = this->Lamp;
   const Frame frame = FrameAround(light.Normal);
   const int spokes = 4 * rings;
   const double area = LightArea(light);
+  this->Lines = rule;
   this->SetNear(light.Radius);
   for (int ring = 0; ring < rings; ++ring)
   {
@@ -93,10 +95,8 @@ void LightRule::AddDisc(int rings)
     for (int spoke = 0; spoke < spokes; ++spoke)
     {
       const double angle = SpokeAngle(ring, spoke, spokes);
-      this->Places.push_back({ light.Center + radius * (std::cos(angle) * frame.U + std::sin(angle) * frame.V),
+      this->Points.push_back({ light.Center + radius * (std::cos(angle) * frame.U + std::sin(angle) * frame.V),
         light.Normal, area * rule.Weights[ring] / spokes });
-      // The radial map of the spherical ellipse: u runs around, v outwards.
-      this->Shares.push_back({ angle / twoPi - std::floor(angle / twoPi), rule.Nodes[ring], rule.Weights[ring] / spokes });
     }
   }
 }
@@ -104,18 +104,18 @@ void LightRule::AddDisc(int rings)
 void LightRule::AddRectangle(int side)
 {
   const GaussLegendre rule(side);
-  const Light& light = this->Source;
+  const Light& light = this->Lamp;
   const double area = LightArea(light);
+  this->Lines = rule;
   this->SetNear(std::sqrt(Dot(light.AxisU, light.AxisU) + Dot(light.AxisV, light.AxisV)));
   for (int i = 0; i < side; ++i)
   {
     for (int j = 0; j < side; ++j)
     {
       const double weight = rule.Weights[i] * rule.Weights[j];
-      this->Places.push_back({ light.Center + (2.0 * rule.Nodes[i] - 1.0) * light.AxisU +
-          (2.0 * rule.Nodes[j] - 1.0) * light.AxisV,
-        light.Normal, area * weight });
-      this->Shares.push_back({ rule.Nodes[i], rule.Nodes[j], weight });
+      this->Points.push_back(
+        { light.Center + (2.0 * rule.Nodes[i] - 1.0) * light.AxisU + (2.0 * rule.Nodes[j] - 1.0) * light.AxisV,
+          light.Normal, area * weight });
     }
   }
 }
@@ -124,7 +124,7 @@ void LightRule::AddCone(int rings)
 {
   if (rings == 0)
   {
-    this->Shares.push_back({ 0.5, 0.5, 1.0 });
+    this->Nodes.push_back({ 0.5, 0.5, 1.0 });
     return;
   }
   // Cones are sampled through the concentric map: its inverse takes the rings' points back to the square.
@@ -140,7 +140,7 @@ void LightRule::AddCone(int rings)
     {
       const double angle = SpokeAngle(ring, spoke, spokes);
       const auto uv = InvertLightArea(disc, radius * (std::cos(angle) * frame.U + std::sin(angle) * frame.V));
-      this->Shares.push_back({ uv[0], uv[1], rule.Weights[ring] / spokes });
+      this->Nodes.push_back({ uv[0], uv[1], rule.Weights[ring] / spokes });
     }
   }
 }
@@ -151,7 +151,7 @@ void LightRule::AddVertices(std::size_t vertices, int level)
   const std::size_t count = each ? vertices : static_cast<std::size_t>(256 << level);
   for (std::size_t k = 0; k < count; ++k)
   {
-    this->Shares.push_back({ (k + 0.5) / count, 0.5, 1.0 / count });
+    this->Nodes.push_back({ (k + 0.5) / count, 0.5, 1.0 / count });
   }
 }
 

@@ -6,12 +6,17 @@
 #ifndef scLightRule_h
 #define scLightRule_h
 
+#include "scBox.h"
 #include "scLight.h"
 #include "scLightSampler.h"
+#include "scLightSampling.h"
 #include "scLitKernel.h"
 #include "scMeshLightRule.h"
+#include "scSphericalEllipse.h"
+#include "scSphericalRectangle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -32,36 +37,36 @@ public:
   LightRule(const Light& light, int level);
   LightRule(Light&& light, int level) = delete; // the light has to outlive its rule
 
-  int Count() const { return static_cast<int>(std::max(this->Shares.size(), this->Places.size())); }
+  int Count() const { return static_cast<int>(std::max(this->Nodes.size(), this->Points.size())); }
 
   /// By points on the light's faces: always for meshes, for discs and rectangles that are far enough away.
   bool IsByArea(const Vector3& from) const
   {
-    if (this->Places.empty() || this->Shares.empty())
+    if (!this->HasNear)
     {
-      return !this->Places.empty();
+      return !this->Points.empty();
     }
     // At least so far above its plane or beside the circle around it.
-    const Vector3 offset = from - this->Source.Center;
-    const double height = Dot(offset, this->Source.Normal);
+    const Vector3 offset = from - this->Lamp.Center;
+    const double height = Dot(offset, this->Lamp.Normal);
     return std::fabs(height) > this->Near || Dot(offset, offset) > height * height + this->BesideSquared;
   }
   /// Levels to add to this rule at a point: the nearer a disc or rectangle, the more of its points are needed.
   int LevelsNearer(const Vector3& from) const
   {
-    if (this->Places.empty() || this->Shares.empty())
+    if (!this->HasNear)
     {
       return 0;
     }
-    const Vector3 offset = from - this->Source.Center;
+    const Vector3 offset = from - this->Lamp.Center;
     const double squared = Dot(offset, offset) / (this->Radius * this->Radius);
-    // By solid angle only attenuation and scattering vary over the light, and few points do again.
-    return squared > 4.0 || !this->IsByArea(from) ? 0 : (squared > 1.0 ? 1 : 2);
+    // By solid angle cosines, attenuation and scattering vary over the light, and fewer points do again.
+    return squared > 4.0 ? 0 : (squared > 1.0 || !this->IsByArea(from) ? 1 : 2);
   }
   /// The points of the rule by area; none for other lights.
   LightPoints AreaPoints() const
   {
-    const std::size_t count = this->Places.size();
+    const std::size_t count = this->Points.size();
     const float* x = this->Offsets.data();
     return { x, x + count, x + 2 * count, x + 3 * count, x + 4 * count, x + 5 * count, x + 6 * count,
       static_cast<int>(count) };
@@ -83,7 +88,7 @@ public:
       if (this->Mesh->IsNear(patch, from))
       {
         this->Mesh->LookAt(patch, from, samples);
-        replaced.insert(replaced.end(), { patch.FirstPlace, patch.EndOfPlaces });
+        replaced.insert(replaced.end(), { patch.FirstPoint, patch.EndOfPoints });
       }
     }
   }
@@ -115,7 +120,7 @@ public:
         visit(sample);
       }
       auto skipped = replaced.begin();
-      for (std::size_t k = 0; k < this->Places.size(); ++k)
+      for (std::size_t k = 0; k < this->Points.size(); ++k)
       {
         if (skipped != replaced.end() && k == *skipped)
         {
@@ -123,24 +128,34 @@ public:
           skipped += 2;
           continue;
         }
-        const LightPlace& place = this->Places[k];
-        const Vector3 to = place.Position - from;
+        const LightPoint& lightPoint = this->Points[k];
+        const Vector3 to = lightPoint.Position - from;
         const double squared = Dot(to, to);
         const double inverse = 1.0 / std::sqrt(squared);
-        const double cosine = -Dot(to, place.Normal) * inverse;
+        const double cosine = -Dot(to, lightPoint.Normal) * inverse;
         if (cosine > 0.0)
         {
-          visit(IncidentSample{ inverse * to, squared * inverse, place.Area * cosine / squared });
+          visit(IncidentSample{ inverse * to, squared * inverse, lightPoint.Area * cosine / squared });
         }
       }
       return;
     }
-    LightSampler sampler(this->Source, LightSampling::SolidAngle);
-    sampler.MoveTo(from);
-    for (const Share& share : this->Shares)
+    if (this->Lamp.Shape == LightShape::Disc)
     {
-      IncidentSample sample = sampler.Sample(share.U, share.V);
-      sample.Weight *= share.Weight;
+      this->ForEachOfDisc(from, visit);
+      return;
+    }
+    if (this->Lamp.Shape == LightShape::Rectangle)
+    {
+      this->ForEachOfRectangle(from, visit);
+      return;
+    }
+    LightSampler sampler(this->Lamp, LightSampling::SolidAngle);
+    sampler.MoveTo(from);
+    for (const Node& node : this->Nodes)
+    {
+      IncidentSample sample = sampler.Sample(node.U, node.V);
+      sample.Weight *= node.Weight;
       if (sample.Weight > 0.0)
       {
         visit(sample);
@@ -149,7 +164,66 @@ public:
   }
 
 private:
-  struct Share
+  /// By solid angle: rings by spokes of the ellipse that a near disc is seen as. Neighbouring rings' spokes take turns.
+  template <typename Visitor>
+  void ForEachOfDisc(const Vector3& from, Visitor&& visit) const
+  {
+    const SphericalEllipse ellipse(this->Lamp.Center, this->Lamp.Normal, this->Lamp.Radius, from);
+    const double solidAngle = ellipse.SolidAngle();
+    if (!(solidAngle > 0.0))
+    {
+      return;
+    }
+    const auto rings = static_cast<int>(this->Lines.Nodes.size());
+    const int perQuarter = 2 * rings; // of two neighbouring rings
+    std::array<SphericalEllipse::Spoke, 2 * LargestNumberOfRings> spokes;
+    for (int k = 0; k < perQuarter; ++k)
+    {
+      spokes[static_cast<std::size_t>(k)] = ellipse.SpokeAt((k + 0.5) / perQuarter);
+    }
+    for (int ring = 0; ring < rings; ++ring)
+    {
+      const double weight = solidAngle * this->Lines.Weights[static_cast<std::size_t>(ring)] / (4 * rings);
+      for (int spoke = 0; spoke < 4 * rings; ++spoke)
+      {
+        const int k = 2 * (spoke % rings) + ring % 2;
+        const int quarter = spoke / rings;
+        const Vector3 direction = ellipse.Along(spokes[static_cast<std::size_t>(quarter % 2 ? perQuarter - 1 - k : k)],
+          quarter, this->Lines.Nodes[static_cast<std::size_t>(ring)]);
+        const double cosine = -Dot(direction, this->Lamp.Normal);
+        visit(IncidentSample{ direction, cosine > 0.0 ? ellipse.Height() / cosine : HUGE_VAL, weight });
+      }
+    }
+  }
+  template <typename Visitor>
+  void ForEachOfRectangle(const Vector3& from, Visitor&& visit) const
+  {
+    const Light& light = this->Lamp;
+    const SphericalRectangle rectangle(light.Center, light.Normal, light.AxisU, light.AxisV, from);
+    const double solidAngle = rectangle.SolidAngle();
+    if (!(solidAngle > 0.0))
+    {
+      return;
+    }
+    const bool byMap = solidAngle >= SphericalRectangle::MinimumSolidAngle;
+    for (std::size_t i = 0; i < this->Lines.Nodes.size(); ++i)
+    {
+      const auto column = byMap ? rectangle.ColumnAt(this->Lines.Nodes[i]) : SphericalRectangle::Column{};
+      for (std::size_t j = 0; j < this->Lines.Nodes.size(); ++j)
+      {
+        const double weight = this->Lines.Weights[i] * this->Lines.Weights[j];
+        const Vector3 to = byMap ? rectangle.Along(column, this->Lines.Nodes[j])
+                                 : light.Center - from + (2.0 * this->Lines.Nodes[i] - 1.0) * light.AxisU +
+            (2.0 * this->Lines.Nodes[j] - 1.0) * light.AxisV;
+        const double distance = Length(to);
+        visit(IncidentSample{ (1.0 / distance) * to, distance,
+          weight * (byMap ? solidAngle : LightArea(light) * std::fabs(Dot(to, light.Normal)) / std::pow(distance, 3)) });
+      }
+    }
+  }
+
+  static constexpr int LargestNumberOfRings = 16;
+  struct Node
   {
     double U;
     double V;
@@ -162,12 +236,14 @@ private:
   void AddOffsets();
   void SetNear(double radius);
 
-  const Light& Source;
-  std::vector<LightPlace> Places; ///< Disc, Rectangle and Mesh, by area
+  const Light& Lamp;
+  std::vector<LightPoint> Points; ///< Disc, Rectangle and Mesh, by area
   std::optional<MeshLightRule> Mesh;
-  std::vector<float> Offsets; ///< of Places from the centre, their normals and areas, component by component
-  std::vector<Share> Shares;  ///< the others, and where Places are near
-  Vector3 Middle;             ///< of Places
+  std::vector<float> Offsets; ///< of Points from the centre, their normals and areas, component by component
+  std::vector<Node> Nodes;    ///< the others
+  GaussLegendre Lines{ 1 };   ///< of a near disc's rings, or rectangle's lines
+  bool HasNear = false;       ///< a disc or rectangle
+  Vector3 Middle;             ///< of Points
   double Radius = 1.0;        ///< of the circle around a disc or rectangle
   double Near = 0.0;          ///< nearer than this: by solid angle
   double BesideSquared = 0.0; ///< squared radius of the circle, with a margin

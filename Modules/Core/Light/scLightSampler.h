@@ -6,7 +6,9 @@
 #ifndef scLightSampler_h
 #define scLightSampler_h
 
+#include "scConcentricMap.h"
 #include "scLight.h"
+#include "scLightSampling.h"
 #include "scSphericalEllipse.h"
 
 #include <algorithm>
@@ -24,7 +26,7 @@ class LightSampler
 {
 public:
   LightSampler(const Light& light, LightSampling sampling)
-    : Source(light)
+    : Lamp(light)
     , Sampling(sampling)
   {
     if (light.Shape == LightShape::Disc)
@@ -47,15 +49,15 @@ public:
   void MoveTo(const Vector3& from)
   {
     this->From = from;
-    this->ToCenter = this->Source.Center - from;
-    const bool planar = this->Source.Shape == LightShape::Disc || this->Source.Shape == LightShape::Rectangle;
+    this->ToCenter = this->Lamp.Center - from;
+    const bool planar = this->Lamp.Shape == LightShape::Disc || this->Lamp.Shape == LightShape::Rectangle;
     const bool near = this->Sampling == LightSampling::SolidAngle ||
       (this->Sampling == LightSampling::Auto && Dot(this->ToCenter, this->ToCenter) < this->NearSquared);
     this->ByArea = planar && !near;
     this->Ellipse.reset();
-    if (this->Source.Shape == LightShape::Disc && near)
+    if (this->Lamp.Shape == LightShape::Disc && near)
     {
-      this->Ellipse.emplace(this->Source.Center, this->Source.Normal, this->Source.Radius, from);
+      this->Ellipse.emplace(this->Lamp.Center, this->Lamp.Normal, this->Lamp.Radius, from);
     }
   }
 
@@ -65,15 +67,15 @@ public:
     {
       double a = 2.0 * u - 1.0;
       double b = 2.0 * v - 1.0;
-      if (this->Source.Shape == LightShape::Disc)
+      if (this->Lamp.Shape == LightShape::Disc)
       {
-        MapToDisc(a, b);
+        ConcentricDiscBySeries(a, b);
       }
       const Vector3 to = this->ToCenter + a * this->U + b * this->V;
       const double squared = Dot(to, to);
       const double distance = std::sqrt(squared);
       const double inverse = 1.0 / distance;
-      const double cosine = -Dot(to, this->Source.Normal) * inverse;
+      const double cosine = -Dot(to, this->Lamp.Normal) * inverse;
       return { inverse * to, distance, cosine > 0.0 ? this->Area * cosine / squared : 0.0 };
     }
     if (this->Ellipse)
@@ -84,42 +86,14 @@ public:
         return { Normalized(this->ToCenter), Length(this->ToCenter), 0.0 };
       }
       const Vector3 direction = this->Ellipse->Sample(u, v);
-      const double cosine = -Dot(direction, this->Source.Normal);
+      const double cosine = -Dot(direction, this->Lamp.Normal);
       return { direction, cosine > 0.0 ? this->Ellipse->Height() / cosine : HUGE_VAL, solidAngle };
     }
-    return SampleIncidentLight(this->Source, this->From, u, v, this->Sampling);
+    return SampleIncidentLight(this->Lamp, this->From, u, v, this->Sampling);
   }
 
 private:
-  /// The concentric map of Shirley and Chiu (1997); its angle is at most pi/4: short series do for sine and cosine.
-  static void MapToDisc(double& a, double& b)
-  {
-    const double radius = std::max(std::fabs(a), std::fabs(b));
-    if (radius == 0.0)
-    {
-      return;
-    }
-    const double angle = 0.78539816339744830962 * std::min(std::fabs(a), std::fabs(b)) / radius;
-    const double x = angle * angle;
-    const double sine = angle *
-      (1.0 +
-        x *
-          (-1.0 / 6 +
-            x * (1.0 / 120 + x * (-1.0 / 5040 + x * (1.0 / 362880 + x * (-1.0 / 39916800 + x / 6227020800.0))))));
-    const double cosine = 1.0 +
-      x *
-        (-0.5 +
-          x *
-            (1.0 / 24 +
-              x * (-1.0 / 720 + x * (1.0 / 40320 + x * (-1.0 / 3628800 + x * (1.0 / 479001600 - x / 87178291200.0))))));
-    // Arithmetic instead of a branch that no processor can foresee.
-    const double horizontal = static_cast<double>(std::fabs(a) > std::fabs(b));
-    const double shift = (cosine - sine) * horizontal;
-    a = std::copysign(radius * (sine + shift), a);
-    b = std::copysign(radius * (cosine - shift), b);
-  }
-
-  const Light& Source;
+  const Light& Lamp;
   const LightSampling Sampling;
   Vector3 U;
   Vector3 V;

@@ -56,10 +56,10 @@ SHADOWCONES_WIDE void LookAtLight(
     const float sx = ShareInside(x, v.Low[0], v.High[0]);
     const float sy = ShareInside(y, v.Low[1], v.High[1]);
     const float sz = ShareInside(z, v.Low[2], v.High[2]);
-    float share = sx < sy ? sx : sy;
-    share = share < sz ? share : sz;
-    share = share < 1.0f ? share : 1.0f;
-    leg[k] = share > 0.0f ? share * distance : 0.0f;
+    float fraction = sx < sy ? sx : sy;
+    fraction = fraction < sz ? fraction : sz;
+    fraction = fraction < 1.0f ? fraction : 1.0f;
+    leg[k] = fraction > 0.0f ? fraction * distance : 0.0f;
   }
 }
 

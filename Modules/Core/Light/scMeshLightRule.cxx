@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scMeshLightRule.h"
 
+#include "scBox.h"
 #include "scSphericalRectangle.h"
 
 #include <algorithm>
@@ -151,7 +152,7 @@ void MeshLightRule::AddPatch(std::size_t begin, std::size_t end)
   Patch patch;
   patch.FirstTriangle = begin;
   patch.EndOfTriangles = end;
-  patch.FirstPlace = this->AllPlaces.size();
+  patch.FirstPoint = this->AllPoints.size();
   Vector3 areaVector;
   double area = 0.0;
   for (std::size_t k = begin; k < end; ++k)
@@ -169,14 +170,14 @@ void MeshLightRule::AddPatch(std::size_t begin, std::size_t end)
   }
   if (this->Side > 0)
   {
-    this->AddGaussPlaces(this->Ordered[begin], GaussLegendre(this->Side));
+    this->AddGaussPoints(this->Ordered[begin], GaussLegendre(this->Side));
   }
   else
   {
     // What a group sends is that of its vector area, as long as all of it faces the point.
-    this->AllPlaces.push_back({ patch.Middle, Normalized(areaVector), Length(areaVector) });
+    this->AllPoints.push_back({ patch.Middle, Normalized(areaVector), Length(areaVector) });
   }
-  patch.EndOfPlaces = this->AllPlaces.size();
+  patch.EndOfPoints = this->AllPoints.size();
   const double near = radius * (this->Side < 4 ? this->FarEnough * farEnough[this->Side] : closest);
   patch.NearSquared = near * near;
   this->AllPatches.push_back(patch);
@@ -184,7 +185,7 @@ void MeshLightRule::AddPatch(std::size_t begin, std::size_t end)
   this->NearBounds.Add(patch.Middle + Vector3{ near, near, near });
 }
 
-void MeshLightRule::AddGaussPlaces(const Triangle& triangle, const GaussLegendre& rule)
+void MeshLightRule::AddGaussPoints(const Triangle& triangle, const GaussLegendre& rule)
 {
   // A product of two Gauss rules on the square, one side of which is drawn together to a corner (Duffy 1982).
   const auto& t = triangle.Corners;
@@ -194,7 +195,7 @@ void MeshLightRule::AddGaussPlaces(const Triangle& triangle, const GaussLegendre
   const Vector3 normal = (1.0 / area) * triangle.AreaVector;
   if (rule.Nodes.size() == 1)
   {
-    this->AllPlaces.push_back({ triangle.Middle, normal, area });
+    this->AllPoints.push_back({ triangle.Middle, normal, area });
     return;
   }
   for (std::size_t i = 0; i < rule.Nodes.size(); ++i)
@@ -202,7 +203,7 @@ void MeshLightRule::AddGaussPlaces(const Triangle& triangle, const GaussLegendre
     for (std::size_t j = 0; j < rule.Nodes.size(); ++j)
     {
       const double x = rule.Nodes[i];
-      this->AllPlaces.push_back(
+      this->AllPoints.push_back(
         { t[0] + x * u + x * rule.Nodes[j] * v, normal, 2.0 * area * x * rule.Weights[i] * rule.Weights[j] });
     }
   }

@@ -6,8 +6,11 @@
 #ifndef scMeshLightRule_h
 #define scMeshLightRule_h
 
+#include "scBox.h"
 #include "scGaussLegendre.h"
 #include "scLight.h"
+#include "scLightPoint.h"
+#include "scLightSampling.h"
 
 #include <array>
 #include <cstddef>
@@ -15,14 +18,6 @@
 
 namespace shadowcones
 {
-
-/// A point of a light's faces, and the area that it stands for.
-struct LightPlace
-{
-  Vector3 Position;
-  Vector3 Normal;
-  double Area;
-};
 
 /**
  * The mesh is cut into patches: single triangles with a product of Gauss rules each, or, where there are many, groups of
@@ -37,14 +32,14 @@ public:
   /// @param level 0 and up; of a mesh with triangles.
   MeshLightRule(const Light& light, int level);
 
-  const std::vector<LightPlace>& Places() const { return this->AllPlaces; }
+  const std::vector<LightPoint>& Points() const { return this->AllPoints; }
 
   struct Patch
   {
     Vector3 Middle;
     double NearSquared;        ///< squared distance from Middle within which its places do not do
-    std::size_t FirstPlace;
-    std::size_t EndOfPlaces;
+    std::size_t FirstPoint;
+    std::size_t EndOfPoints;
     std::size_t FirstTriangle; ///< of Ordered
     std::size_t EndOfTriangles;
   };
@@ -71,7 +66,7 @@ private:
   };
   void CutIntoPatches(std::size_t begin, std::size_t end, std::size_t patches);
   void AddPatch(std::size_t begin, std::size_t end);
-  void AddGaussPlaces(const Triangle& triangle, const GaussLegendre& rule);
+  void AddGaussPoints(const Triangle& triangle, const GaussLegendre& rule);
   void LookAtTriangle(const Triangle& triangle, const Vector3& from, std::vector<IncidentSample>& samples) const;
   void LookAround(const Triangle& triangle, const Vector3& from, std::vector<IncidentSample>& samples) const;
   double AddSector(const Triangle& triangle, const Vector3& from, const Vector3& axis, const Vector3& b,
@@ -84,7 +79,7 @@ private:
   GaussLegendre TiltRule;
   std::vector<Triangle> Ordered;
   std::vector<Patch> AllPatches;
-  std::vector<LightPlace> AllPlaces;
+  std::vector<LightPoint> AllPoints;
   Box NearBounds;
 };
 

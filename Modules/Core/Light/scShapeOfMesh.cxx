@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scShapeOfMesh.h"
 
+#include "scConstants.h"
+#include "scFrame.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -11,9 +14,8 @@ namespace
 {
 using Triangles = std::vector<std::array<Vector3, 3>>;
 
-constexpr double pi = 3.14159265358979323846;
 /// Shares this close to 1 are rounding.
-constexpr double shareTolerance = 1e-6;
+constexpr double fractionTolerance = 1e-6;
 /// Steps from corner to corner of a regular polygon may differ by this share.
 constexpr double largestUnevenness = 1e-3;
 
@@ -71,7 +73,7 @@ double AreaOfRim(const Light& disc, const Triangles& triangles, double tolerance
   std::sort(angles.begin(), angles.end());
   const double slack = 4.0 * tolerance / disc.Radius + 1e-9;
   std::vector<double> steps;
-  double last = angles.empty() ? 0.0 : angles.back() - 2.0 * pi;
+  double last = angles.empty() ? 0.0 : angles.back() - 2.0 * Pi;
   for (const double angle : angles)
   {
     if (angle - last > slack)
@@ -81,11 +83,11 @@ double AreaOfRim(const Light& disc, const Triangles& triangles, double tolerance
     }
   }
   const auto count = static_cast<double>(steps.size());
-  const double step = 2.0 * pi / std::max(count, 1.0);
+  const double step = 2.0 * Pi / std::max(count, 1.0);
   const bool even = count >= 3.0 &&
     std::all_of(steps.begin(), steps.end(),
       [&](double s) { return std::fabs(s - step) <= largestUnevenness * step + slack; });
-  return disc.Radius * disc.Radius * (even ? 0.5 * count * std::sin(step) : pi);
+  return disc.Radius * disc.Radius * (even ? 0.5 * count * std::sin(step) : Pi);
 }
 
 /// Seen from a point, positive where the triangle's normal points away; van Oosterom and Strackee (1983).
@@ -152,19 +154,19 @@ ShapeMisfit MisfitOf(const Light& shape, const Triangles& triangles, double tole
     {
       angle += SolidAngleOf(triangle, shape.Center);
     }
-    misfit.Share = angle / (4.0 * pi);
+    misfit.Fraction = angle / (4.0 * Pi);
     return misfit;
   }
   const double whole =
     shape.Shape == LightShape::Disc ? AreaOfRim(shape, triangles, tolerance) : LightArea(shape);
-  misfit.Share = Dot(AreaVector(triangles), shape.Normal) / whole;
+  misfit.Fraction = Dot(AreaVector(triangles), shape.Normal) / whole;
   return misfit;
 }
 
 bool IsFit(const Light& shape, const ShapeMisfit& misfit, double tolerance)
 {
   return misfit.Distance <= tolerance &&
-    std::fabs(misfit.Share - 1.0) <= shareTolerance + 8.0 * tolerance / SizeOf(shape);
+    std::fabs(misfit.Fraction - 1.0) <= fractionTolerance + 8.0 * tolerance / SizeOf(shape);
 }
 
 bool FindShape(const Triangles& triangles, double tolerance, Light& shape)
@@ -175,16 +177,16 @@ bool FindShape(const Triangles& triangles, double tolerance, Light& shape)
     return false;
   }
   Light found = shape;
-  const double share = 1.0 / static_cast<double>(corners.size());
+  const double fraction = 1.0 / static_cast<double>(corners.size());
   found.Center = {};
   for (const Vector3& corner : corners)
   {
-    found.Center += share * corner;
+    found.Center += fraction * corner;
   }
   found.Radius = 0.0;
   for (const Vector3& corner : corners)
   {
-    found.Radius += share * Length(corner - found.Center);
+    found.Radius += fraction * Length(corner - found.Center);
   }
   if (shape.Shape != LightShape::Sphere)
   {

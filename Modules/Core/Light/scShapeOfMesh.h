@@ -19,7 +19,7 @@ struct ShapeMisfit
   /// Area of the mesh on the emitting side over that of a whole mesh with as many corners on the rim (Sphere: the solid
   /// angle that it fills from the centre over that of all directions): less where a part is missing, negative inside
   /// out.
-  double Share = 1.0;
+  double Fraction = 1.0;
 };
 
 /**

@@ -3,9 +3,9 @@
  * @file scSphericalEllipse.h
  * @brief The solid angle under which a disc is seen, and the uniform map onto it (Guillen et al., EGSR 2017, radial)
  *
- * The cone through a circle is elliptic. Let l0 and l1 be the distances from the eye to the nearest and the farthest
+ * The cone through a circle is elliptic. Let l0 and l1 be the distances from the point to the nearest and the farthest
  * point of the rim; its half angles are then sin(alpha) = 2 R / (l0 + l1) across and sin(2 beta) = 2 h R / (l0 l1) in
- * the plane of eye, centre and normal, and cos(alpha) / cos(beta) = 2 sqrt(l0 l1) / (l0 + l1). With the eccentric angle
+ * the plane of point, centre and normal, and cos(alpha) / cos(beta) = 2 sqrt(l0 l1) / (l0 + l1). With the eccentric angle
  * chi, in which the rim's direction is (sin(alpha) cos(chi), sin(beta) sin(chi), w), the solid angle is
  *   sin(alpha) sin(beta) * integral over 2 pi of d chi / (1 + w),
  *   w^2 = cos^2(alpha) cos^2(chi) + cos^2(beta) sin^2(chi):
@@ -14,6 +14,7 @@
 #ifndef scSphericalEllipse_h
 #define scSphericalEllipse_h
 
+#include "scFrame.h"
 #include "scVector3.h"
 
 #include <algorithm>
@@ -30,16 +31,31 @@ public:
   SphericalEllipse(const Vector3& center, const Vector3& normal, double radius, const Vector3& from);
 
   double SolidAngle() const { return 4.0 * this->SineAlpha * this->SineBeta * this->QuarterIntegral; }
-  /// Distance from the eye to the plane of the disc.
+  /// Distance from the point to the plane of the disc.
   double Height() const { return this->PlaneDistance; }
 
-  Vector3 Sample(double u, double v) const;
+  Vector3 Sample(double u, double v) const
+  {
+    const int quarter = std::min(static_cast<int>(4.0 * u), 3);
+    const double fraction = 4.0 * u - quarter;
+    // Odd quarters run backwards, so that the map is continuous.
+    return this->Along(this->SpokeAt(quarter % 2 ? 1.0 - fraction : fraction), quarter, v);
+  }
+  /// Samples of the same u lie on one spoke, from the axis outwards with v; spokes of the four quarters are mirrored.
+  struct Spoke
+  {
+    double X; ///< of the rim's direction in the first quarter, across and outward
+    double Y;
+    double W; ///< and its cosine with the axis
+  };
+  Spoke SpokeAt(double fraction) const;
+  Vector3 Along(const Spoke& spoke, int quarter, double v) const;
   std::array<double, 2> Invert(const Vector3& direction) const;
 
 private:
   static constexpr double HalfPi = 1.57079632679489661923;
   static constexpr int NumberOfNodes = 8;
-  static constexpr int MaximumDepth = 40;
+  static constexpr int MaximumHalvings = 40;
 
   // Panels of the quarter [0, pi/2]: [pi/4, pi/2], [pi/8, pi/4], ... and a last one down to 0 that is no wider than the
   // distance of the integrand's nearest complex singularity. Eight nodes in each give 11 digits.
@@ -50,11 +66,11 @@ private:
     std::array<double, NumberOfNodes> Weights{ 0.05061426814518813, 0.11119051722668724, 0.15685332293894363,
       0.181341891689181, 0.181341891689181, 0.15685332293894363, 0.11119051722668724, 0.05061426814518813 };
     // sin^2 at the nodes of [w, 2 w] and of [0, w], w = pi/2 2^-(depth+1).
-    std::array<std::array<double, NumberOfNodes>, MaximumDepth> Upper;
-    std::array<std::array<double, NumberOfNodes>, MaximumDepth> Last;
+    std::array<std::array<double, NumberOfNodes>, MaximumHalvings> Upper;
+    std::array<std::array<double, NumberOfNodes>, MaximumHalvings> Last;
     Rule()
     {
-      for (int depth = 0; depth < MaximumDepth; ++depth)
+      for (int depth = 0; depth < MaximumHalvings; ++depth)
       {
         const double width = std::ldexp(HalfPi, -(depth + 1));
         for (int i = 0; i < NumberOfNodes; ++i)
@@ -98,11 +114,11 @@ private:
     }
     return this->PanelIntegral(rule, to - from, sineSquared);
   }
-  double QuarterAngle(double share) const;
-  double QuarterShare(double angle) const;
+  double QuarterAngle(double fraction) const;
+  double QuarterFraction(double angle) const;
 
   Vector3 Across;
-  Vector3 Along;
+  Vector3 Outward; ///< in the plane of eye, centre and normal
   Vector3 Axis;
   double PlaneDistance = 0.0;
   double SineAlpha = 0.0;
@@ -110,8 +126,8 @@ private:
   double CosineBeta = 1.0;
   double RatioSquared = 1.0; // (cos alpha / cos beta)^2
   double QuarterIntegral = 0.0;
-  int Depth = 0;                              // panels above the last one, less one
-  std::array<double, MaximumDepth + 1> Below; // integral over [0, pi/2 2^-depth]
+  int Halvings = 0;                              // panels above the last one, less one
+  std::array<double, MaximumHalvings + 1> Below; // integral over [0, pi/2 2^-depth]
 };
 
 inline SphericalEllipse::SphericalEllipse(
@@ -155,17 +171,17 @@ inline SphericalEllipse::SphericalEllipse(
   const double axisOffset = offset * this->RatioSquared * this->CosineBeta * this->CosineBeta;
   const double axisLength = std::hypot(axisOffset, h);
   this->Axis = (axisOffset / axisLength) * outward - (h / axisLength) * normal;
-  this->Along = (h / axisLength) * outward + (axisOffset / axisLength) * normal;
+  this->Outward = (h / axisLength) * outward + (axisOffset / axisLength) * normal;
 
   const Rule& rule = GetRule();
   const double ratio = std::sqrt(this->RatioSquared);
-  while (this->Depth + 1 < MaximumDepth && std::ldexp(HalfPi, -(this->Depth + 1)) > ratio)
+  while (this->Halvings + 1 < MaximumHalvings && std::ldexp(HalfPi, -(this->Halvings + 1)) > ratio)
   {
-    ++this->Depth;
+    ++this->Halvings;
   }
-  double integral = this->PanelIntegral(rule, std::ldexp(HalfPi, -(this->Depth + 1)), rule.Last[this->Depth]);
-  this->Below[this->Depth + 1] = integral;
-  for (int depth = this->Depth; depth >= 0; --depth)
+  double integral = this->PanelIntegral(rule, std::ldexp(HalfPi, -(this->Halvings + 1)), rule.Last[this->Halvings]);
+  this->Below[this->Halvings + 1] = integral;
+  for (int depth = this->Halvings; depth >= 0; --depth)
   {
     integral += this->PanelIntegral(rule, std::ldexp(HalfPi, -(depth + 1)), rule.Upper[depth]);
     this->Below[depth] = integral;
@@ -173,16 +189,16 @@ inline SphericalEllipse::SphericalEllipse(
   this->QuarterIntegral = integral;
 }
 
-// The eccentric angle below which the given share of a quarter lies. The integrand stays within [1/2, 1].
-inline double SphericalEllipse::QuarterAngle(double share) const
+// The eccentric angle below which the given fraction of a quarter lies. The integrand stays within [1/2, 1].
+inline double SphericalEllipse::QuarterAngle(double fraction) const
 {
-  const double target = share * this->QuarterIntegral;
+  const double target = fraction * this->QuarterIntegral;
   int depth = 0;
-  while (depth <= this->Depth && target < this->Below[depth + 1])
+  while (depth <= this->Halvings && target < this->Below[depth + 1])
   {
     ++depth;
   }
-  const bool last = depth > this->Depth;
+  const bool last = depth > this->Halvings;
   const double high = std::ldexp(HalfPi, -depth);
   const double low = last ? 0.0 : 0.5 * high;
   const double below = last ? 0.0 : this->Below[depth + 1];
@@ -200,51 +216,50 @@ inline double SphericalEllipse::QuarterAngle(double share) const
     // Simpson's rule on the short step.
     const double middleSine = std::sin(0.5 * (angle + next));
     const double nextSine = std::sin(next);
-    integral += std::fabs(next - angle) > 0.01 * high
-      ? this->PartIntegral(angle, next)
-      : (next - angle) / 6.0 *
+    integral += std::fabs(next - angle) > 0.01 * high ? this->PartIntegral(angle, next)
+                                                      : (next - angle) / 6.0 *
         (1.0 / (1.0 + w) + 4.0 / (1.0 + this->W(middleSine * middleSine)) + 1.0 / (1.0 + this->W(nextSine * nextSine)));
     angle = next;
   }
   return angle;
 }
 
-inline double SphericalEllipse::QuarterShare(double angle) const
+inline double SphericalEllipse::QuarterFraction(double angle) const
 {
   int depth = 0;
-  while (depth <= this->Depth && angle < std::ldexp(HalfPi, -(depth + 1)))
+  while (depth <= this->Halvings && angle < std::ldexp(HalfPi, -(depth + 1)))
   {
     ++depth;
   }
-  const bool last = depth > this->Depth;
+  const bool last = depth > this->Halvings;
   const double low = last ? 0.0 : std::ldexp(HalfPi, -(depth + 1));
   const double below = last ? 0.0 : this->Below[depth + 1];
   return (below + this->PartIntegral(low, angle)) / this->QuarterIntegral;
 }
 
-inline Vector3 SphericalEllipse::Sample(double u, double v) const
+inline SphericalEllipse::Spoke SphericalEllipse::SpokeAt(double fraction) const
 {
-  const int quarter = std::min(static_cast<int>(4.0 * u), 3);
-  const double share = 4.0 * u - quarter;
-  // Odd quarters run backwards, so that the map is continuous.
-  const double angle = this->QuarterAngle(quarter % 2 ? 1.0 - share : share);
+  const double angle = this->QuarterAngle(fraction);
   const double sine = std::sin(angle);
-  const double cosine = std::cos(angle);
-  const double x = this->SineAlpha * (quarter == 1 || quarter == 2 ? -cosine : cosine);
-  const double y = this->SineBeta * (quarter >= 2 ? -sine : sine);
+  return { this->SineAlpha * std::cos(angle), this->SineBeta * sine, this->W(sine * sine) };
+}
+
+inline Vector3 SphericalEllipse::Along(const Spoke& spoke, int quarter, double v) const
+{
+  const double x = quarter == 1 || quarter == 2 ? -spoke.X : spoke.X;
+  const double y = quarter >= 2 ? -spoke.Y : spoke.Y;
   const double squared = x * x + y * y; // 1 - w^2
-  const double oneMinusCosine = v * squared / (1.0 + this->W(sine * sine));
-  const double scale =
-    squared > 0.0 ? std::sqrt(oneMinusCosine * (2.0 - oneMinusCosine) / squared) : 0.0;
-  return (1.0 - oneMinusCosine) * this->Axis + (scale * x) * this->Across + (scale * y) * this->Along;
+  const double oneMinusCosine = v * squared / (1.0 + spoke.W);
+  const double scale = squared > 0.0 ? std::sqrt(oneMinusCosine * (2.0 - oneMinusCosine) / squared) : 0.0;
+  return (1.0 - oneMinusCosine) * this->Axis + (scale * x) * this->Across + (scale * y) * this->Outward;
 }
 
 inline std::array<double, 2> SphericalEllipse::Invert(const Vector3& direction) const
 {
   const double x = Dot(direction, this->Across);
-  const double y = Dot(direction, this->Along);
+  const double y = Dot(direction, this->Outward);
   const double angle = std::atan2(std::fabs(y) * this->SineAlpha, std::fabs(x) * this->SineBeta);
-  const double share = this->QuarterShare(angle);
+  const double fraction = this->QuarterFraction(angle);
   const int quarter = y >= 0.0 ? (x >= 0.0 ? 0 : 1) : (x >= 0.0 ? 3 : 2);
   const Vector3 difference = direction - this->Axis;
   const double sine = std::sin(angle);
@@ -252,7 +267,7 @@ inline std::array<double, 2> SphericalEllipse::Invert(const Vector3& direction) 
   const double squared =
     this->SineAlpha * this->SineAlpha * cosine * cosine + this->SineBeta * this->SineBeta * sine * sine;
   const double limit = squared / (1.0 + this->W(sine * sine));
-  return { 0.25 * (quarter + (quarter % 2 ? 1.0 - share : share)), 0.5 * Dot(difference, difference) / limit };
+  return { 0.25 * (quarter + (quarter % 2 ? 1.0 - fraction : fraction)), 0.5 * Dot(difference, difference) / limit };
 }
 
 } // namespace shadowcones

@@ -10,6 +10,7 @@
 #ifndef scSphericalRectangle_h
 #define scSphericalRectangle_h
 
+#include "scConstants.h"
 #include "scVector3.h"
 
 #include <algorithm>
@@ -38,8 +39,8 @@ public:
   static constexpr double MinimumSolidAngle = 1e-4; ///< sr
 
   /// The rectangle as seen from a point on its emitting side; SolidAngle() is 0 on the other side and in its plane.
-  SphericalRectangle(const Vector3& center, const Vector3& normal, const Vector3& axisU, const Vector3& axisV,
-    const Vector3& from)
+  SphericalRectangle(
+    const Vector3& center, const Vector3& normal, const Vector3& axisU, const Vector3& axisV, const Vector3& from)
   {
     const double halfU = Length(axisU);
     const double halfV = Length(axisV);
@@ -64,15 +65,22 @@ public:
 
   double SolidAngle() const { return this->Omega; }
 
-  /// From the eye to the sampled point, not normalised.
-  Vector3 Sample(double u, double v) const
+  /// From the point to the sampled point, not normalised.
+  Vector3 Sample(double u, double v) const { return this->Along(this->ColumnAt(u), v); }
+  /// Samples of the same u lie on one line.
+  struct Column
+  {
+    double X;   ///< along the first axis
+    double Low; ///< sines of the line's ends
+    double High;
+  };
+  Column ColumnAt(double u) const
   {
     const double z0 = this->Z0;
     const double n0 = -this->Y0 / std::hypot(this->Y0, z0);
     const double n2 = this->Y1 / std::hypot(this->Y1, z0);
     const double n3 = -this->X0 / std::hypot(this->X0, z0);
-    constexpr double twoPi = 6.28318530717958647693;
-    const double k = twoPi - std::acos(-n2 * n3) - std::acos(-n3 * n0);
+    const double k = TwoPi - std::acos(-n2 * n3) - std::acos(-n3 * n0);
     const double angle = u * this->Omega + k;
     const double f = (std::cos(angle) * n0 - n2) / std::sin(angle);
     const double c = std::clamp(std::copysign(1.0 / std::sqrt(f * f + n0 * n0), f), -1.0, 1.0);
@@ -85,12 +93,14 @@ public:
       const double step = (this->PartSolidAngle(xu, xu - this->X0) - u * this->Omega) / slope;
       xu = std::isfinite(step) ? std::clamp(xu - step, this->X0, this->X1) : xu;
     }
-    const double h0 = this->Sine(this->Y0, xu);
-    const double h1 = this->Sine(this->Y1, xu);
-    const double h = h0 + v * (h1 - h0);
+    return { xu, this->Sine(this->Y0, xu), this->Sine(this->Y1, xu) };
+  }
+  Vector3 Along(const Column& column, double v) const
+  {
+    const double h = column.Low + v * (column.High - column.Low);
     const double squared = 1.0 - h * h;
-    const double yv = squared > 0.0 ? h * std::hypot(xu, z0) / std::sqrt(squared) : this->Y1;
-    return xu * this->X + std::clamp(yv, this->Y0, this->Y1) * this->Y + z0 * this->Z;
+    const double yv = squared > 0.0 ? h * std::hypot(column.X, this->Z0) / std::sqrt(squared) : this->Y1;
+    return column.X * this->X + std::clamp(yv, this->Y0, this->Y1) * this->Y + this->Z0 * this->Z;
   }
 
   std::array<double, 2> Invert(const Vector3& direction) const
@@ -123,7 +133,7 @@ private:
   double X1 = 0.0;
   double Y0 = 0.0;
   double Y1 = 0.0;
-  double Z0 = 0.0; // negative
+  double Z0 = 0.0;     // negative
   double Height = 0.0; // Y1 - Y0
   double Omega = 0.0;
 };

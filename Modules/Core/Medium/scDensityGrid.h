@@ -7,6 +7,8 @@
 #define scDensityGrid_h
 
 #include "ShadowConesCoreModule.h"
+#include "scBox.h"
+#include "scTrilinear.h"
 #include "scVector3.h"
 
 #include <algorithm>
@@ -60,27 +62,17 @@ SHADOWCONESCORE_EXPORT const char* PrepareDensityGrid(DensityGrid& grid);
 inline double DensityGrid::ValueAt(const Vector3& index) const
 {
   std::size_t first = 0;
-  double share[3];
+  double fraction[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     const int last = this->Dimensions[static_cast<std::size_t>(axis)] - 1;
     const double x = std::min(std::max(index[axis], 0.0), static_cast<double>(last));
     const int cell = std::max(std::min(static_cast<int>(x), last - 1), 0);
-    share[axis] = x - cell;
+    fraction[axis] = x - cell;
     first += static_cast<std::size_t>(cell) * this->Strides[static_cast<std::size_t>(axis)];
   }
-  const float* v = this->Values.data() + first;
-  const std::size_t j = this->Strides[1];
-  const std::size_t k = this->Strides[2];
-  const auto alongI = [i = this->Strides[0], x = share[0]](const float* a)
-  { return static_cast<double>(a[0]) + x * (static_cast<double>(a[i]) - static_cast<double>(a[0])); };
-  const auto alongJ = [&alongI, j, y = share[1]](const float* a)
-  {
-    const double low = alongI(a);
-    return low + y * (alongI(a + j) - low);
-  };
-  const double low = alongJ(v);
-  return low + share[2] * (alongJ(v + k) - low);
+  return Trilinear(this->Values.data() + first, this->Strides[0], this->Strides[1], this->Strides[2], fraction[0],
+    fraction[1], fraction[2]);
 }
 
 } // namespace shadowcones

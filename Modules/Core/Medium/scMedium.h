@@ -7,8 +7,8 @@
 #define scMedium_h
 
 #include "ShadowConesCoreModule.h"
+#include "scBox.h"
 #include "scPhaseFunction.h"
-#include "scVector3.h"
 
 #include <vector>
 

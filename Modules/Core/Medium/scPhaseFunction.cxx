@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scPhaseFunction.h"
 
+#include "scConstants.h"
+
 #include <cmath>
 
 namespace shadowcones
@@ -9,13 +11,11 @@ namespace shadowcones
 namespace
 {
 
-constexpr double fourPi = 12.566370614359172953850573533118;
-
 /// Schlick's rational lobe: Henyey and Greenstein without the power 3/2.
 double SchlickLobe(double k, double cosine)
 {
   const double root = 1.0 - k * cosine;
-  return (1.0 - k * k) / (fourPi * root * root);
+  return (1.0 - k * k) / (FourPi * root * root);
 }
 
 } // namespace
@@ -48,14 +48,14 @@ double EvaluatePhaseFunction(const PhaseFunction& phase, double cosine)
     {
       const double g = phase.Asymmetry;
       const double root = 1.0 + g * g - 2.0 * g * cosine;
-      return (1.0 - g * g) / (fourPi * root * std::sqrt(root));
+      return (1.0 - g * g) / (FourPi * root * std::sqrt(root));
     }
     case PhaseFunctionKind::Rayleigh:
-      return 0.75 / fourPi * (1.0 + cosine * cosine);
+      return 0.75 / FourPi * (1.0 + cosine * cosine);
     case PhaseFunctionKind::Isotropic:
       break;
   }
-  return 1.0 / fourPi;
+  return 1.0 / FourPi;
 }
 
 } // namespace shadowcones

@@ -247,6 +247,7 @@ int OccluderCells::AddLeaf(const TriangleMeshView& mesh, const std::vector<vtkId
   cell.Center = box.Center();
   cell.Scale = diagonal > 0.0 ? 2.0 / diagonal : 1.0;
   cell.RayMargin = RayMargin / cell.Scale;
+  cell.Reach = Reach / cell.Scale;
   const Box reach = Enlarged(box, 2.0 * overlap * diagonal);
   const bool whole = this->Nodes.empty();
   cell.Pieces.reserve(triangles.size());

@@ -6,7 +6,7 @@
 #ifndef scOccluderCells_h
 #define scOccluderCells_h
 
-#include "scOccluderScene.h"
+#include "scTriangleMesh.h"
 
 #include <array>
 #include <vector>
@@ -29,6 +29,7 @@ struct OccluderCell
   Vector3 Center;
   double Scale = 1.0;     ///< world to the cell's frame
   double RayMargin = 0.0; ///< in the world
+  double Reach = 0.0;     ///< in the world: so far before and beyond its bounds rays are still asked for
   std::vector<CellPiece> Pieces;
 };
 
@@ -44,6 +45,8 @@ public:
   static constexpr double Margin = 2e-6;
   /// By how much, in a cell's frame, rays start earlier and end later in single precision.
   static constexpr double RayMargin = 1e-4;
+  /// By how much, in a cell's frame, rays start before it and end behind it: what lies on its border is in no doubt.
+  static constexpr double Reach = 1e-2;
 
   explicit OccluderCells(const TriangleMeshView& mesh);
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// One file because rays, packets and all hits share the rounding of one intersection.
 #include "scOccluderScene.h"
 
 #include "scOccluderCells.h"
+#include "scRayPacket.h"
+#include "scSinglePrecision.h"
 #include "scTriangleCrossing.h"
-
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 #include <algorithm>
 #include <atomic>
@@ -22,22 +19,9 @@ namespace shadowcones
 {
 namespace
 {
-/// Rays in one query: eight fill the vectors of most machines.
-constexpr int packetSize = OccluderScene::PacketSize;
 /// In a cell's frame, where it has a diagonal of 2: farther origins have too few digits in single precision.
 constexpr double farthestOrigin = 2.0;
-/// Pieces of shape k have no edge longer than shapes[k] times the root of twice their area; 0: of any shape.
-constexpr int numberOfShapes = 3;
-constexpr double shapes[numberOfShapes] = { 4.0, 16.0, 0.0 };
 constexpr double rayMargin = OccluderCells::RayMargin;
-
-/// What a query wants of the triangles that it crosses.
-enum class Wanted
-{
-  Any,
-  Nearest,
-  All
-};
 
 /// What the filter has to know of a query; Embree hands it over by its own context, which comes first.
 struct Query
@@ -47,41 +31,45 @@ struct Query
 #else
   RTCIntersectContext Context;
 #endif
-  const TriangleMeshView* Mesh = nullptr;
-  Wanted What = Wanted::Any;
-  RayRules Rules;
-  const RayStretch* Rays = nullptr; ///< one a ray, by the ray's id; nullptr: see Origin
-  const Vector3* Origin = nullptr;  ///< of rays along (X, Y, Z) of their id
-  const double* X = nullptr;
+  const TriangleMeshView& Mesh;
+  const RayRules& Rules;
+  const Vector3* Origins = nullptr; ///< by the ray's index; where there are no Directions: the one of all rays
+  const Vector3* Directions = nullptr;
+  const double* X = nullptr; ///< vectors to the ends of rays, where there are no Directions
   const double* Y = nullptr;
   const double* Z = nullptr;
-  bool Infinity = false;
-  const float* Ends = nullptr; ///< by the ray's id, in the cell's frame
-  float BeginFactor = 1.0f;    ///< how much larger the plane's slack is by the tolerances of the rules
-  float EndFactor = 1.0f;
-  bool TakesClear = true;  ///< hits beyond doubt need no look at their triangle
-  std::vector<vtkIdType>* Found = nullptr; ///< All: triangles, some of them more than once
+  double Begin = 0.0;
+  double End = HUGE_VAL;                   ///< of vectors: HUGE_VAL, or theirs where it is 0
+  float ClearHeight = 1.0f;                ///< factor of a group's
+  bool TakesClear = true;                  ///< hits beyond doubt need no look at their triangle
+  std::vector<vtkIdType>* Found = nullptr; ///< all triangles that are crossed, some of them more than once
 
-  void SetRules(const RayRules& rules, double scale)
+  Query(const TriangleMeshView& mesh, const RayRules& rules)
+    : Mesh(mesh)
+    , Rules(rules)
+    , TakesClear(!rules.Ignored)
   {
-    this->Rules = rules;
-    this->TakesClear = !rules.Ignored && !this->Found;
-    if (rules.StartTolerance > 0.0 || rules.EndTolerance > 0.0)
+  }
+  /// Tolerances of the rules, in the frame of a cell.
+  void SetScale(double scale)
+  {
+    const double tolerance = std::max(this->Rules.StartTolerance, this->Rules.EndTolerance);
+    if (tolerance > 0.0)
     {
-      this->BeginFactor = static_cast<float>(1.0 + rules.StartTolerance * scale / OccluderCells::Margin);
-      this->EndFactor = static_cast<float>(1.0 + rules.EndTolerance * scale / OccluderCells::Margin);
+      this->ClearHeight = static_cast<float>(1.0 / (1.0 + tolerance * scale / OccluderCells::Margin));
     }
   }
-  RayStretch RayOf(unsigned int id) const
+  RayStretch RayOf(unsigned int index) const
   {
-    if (this->Rays)
+    const double begin = this->Rules.StartTolerance;
+    const double end = this->Rules.EndTolerance;
+    if (this->Directions)
     {
-      return this->Rays[id];
+      return { this->Origins[index], this->Directions[index], this->Begin, this->End, begin, end };
     }
-    const Vector3 to{ this->X[id], this->Y[id], this->Z[id] };
+    const Vector3 to{ this->X[index], this->Y[index], this->Z[index] };
     const double distance = std::sqrt(Dot(to, to));
-    return { *this->Origin, (1.0 / distance) * to, 0.0, this->Infinity ? HUGE_VAL : distance,
-      this->Rules.StartTolerance, this->Rules.EndTolerance };
+    return { *this->Origins, (1.0 / distance) * to, 0.0, this->End > 0.0 ? HUGE_VAL : distance, begin, end };
   }
 };
 
@@ -144,134 +132,178 @@ void AnyOfPacket(const int* valid, RTCScene scene, Query& query, RTCRay8& rays)
 }
 #endif
 
-RayHit HitOf(const TriangleMeshView& mesh, vtkIdType triangle, const RayStretch& ray)
+RayHit HitOf(const TriangleMeshView& mesh, vtkIdType triangle, const Vector3& origin, const Vector3& direction)
 {
   RayHit hit;
   hit.Triangle = triangle;
   hit.T = DistanceToPlane(
-    ray, mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2), hit.FrontFacing);
+    origin, direction, mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2), hit.FrontFacing);
   return hit;
 }
 
-/**
- * Is hit @p i of N on a piece of some shape, found in single precision, one beyond doubt? It must lie inside by twice the margin,
- * one for the piece's own and one for what single precision gets wrong, and as far from both ends, all over the cosine.
- */
-template <int Shape, unsigned int N> // N = 0: as many as the call says
-bool IsClear(const RTCFilterFunctionNArguments* arguments, unsigned int i, const Query& query, float end)
+/// Begin to load what HitOf() reads, for several hits at a time: meshes are larger than caches.
+void FetchIds(const TriangleMeshView& mesh, vtkIdType triangle)
 {
-  const unsigned int n = N ? N : arguments->N;
-  constexpr auto margin = static_cast<float>(rayMargin);
-  constexpr auto plane = static_cast<float>(2.0 * OccluderCells::Margin);
-  constexpr auto edge = static_cast<float>(4.0 * OccluderCells::Margin * shapes[Shape]);
-  RTCHitN* hit = arguments->hit;
-  RTCRayN* ray = arguments->ray;
-  const float x = RTCHitN_Ng_x(hit, n, i);
-  const float y = RTCHitN_Ng_y(hit, n, i);
-  const float z = RTCHitN_Ng_z(hit, n, i);
-  const float u = RTCHitN_u(hit, n, i);
-  const float v = RTCHitN_v(hit, n, i);
-  const float t = RTCRayN_tfar(ray, n, i);
-  const float rest = 1.0f - u - v;
-  const float lesser = u < v ? u : v;
-  const float least = lesser < rest ? lesser : rest;
-  const float slope =
-    std::fabs(x * RTCRayN_dir_x(ray, n, i) + y * RTCRayN_dir_y(ray, n, i) + z * RTCRayN_dir_z(ray, n, i));
-  // Squares, for the normal is twice the area long.
-  const float square = x * x + y * y + z * z;
-  const float inside = least > 0.0f ? least * slope : 0.0f;
-  const float fromBegin = t > margin ? (t - margin) * slope : 0.0f;
-  const float toEnd = end - margin > t ? (end - margin - t) * slope : 0.0f;
-  const float begin = query.BeginFactor * plane;
-  const float last = query.EndFactor * plane;
-  const float insideSquare = inside * inside;
-  return (insideSquare * insideSquare > edge * edge * edge * edge * square) &
-    (fromBegin * fromBegin > begin * begin * square) & (toEnd * toEnd > last * last * square);
+  __builtin_prefetch(mesh.Triangles + 3 * triangle);
+}
+void FetchCorners(const TriangleMeshView& mesh, vtkIdType triangle)
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    __builtin_prefetch(mesh.Points + 3 * mesh.Triangles[3 * triangle + corner]);
+  }
 }
 
-/// A hit is found: keep it where its triangle is crossed in double precision.
-template <int Shape, unsigned int N>
-void FilterOne(const RTCFilterFunctionNArguments* arguments, unsigned int i, const Query& query)
+/// Pieces of about one size, as Embree has them.
+struct PieceGroup
 {
-  const unsigned int n = N ? N : arguments->N;
-  const unsigned int id = RTCRayN_id(arguments->ray, n, i);
-  const bool clear = shapes[Shape] > 0.0 && IsClear<Shape, N>(arguments, i, query, query.Ends[id]);
-  if (clear && query.TakesClear)
-  {
-    return;
-  }
-  const auto* triangles = static_cast<const unsigned int*>(arguments->geometryUserPtr);
-  const vtkIdType triangle = triangles[RTCHitN_primID(arguments->hit, n, i)];
-  const TriangleMeshView& mesh = *query.Mesh;
+  float ClearInside = 0.0f; ///< see ClearLimits
+  float ClearHeight = 0.0f;
+  std::vector<unsigned int> Triangles; ///< of each piece
+};
+
+const Query& QueryOf(const RTCFilterFunctionNArguments* arguments)
+{
+  return *reinterpret_cast<const Query*>(arguments->context);
+}
+const PieceGroup& GroupOf(const RTCFilterFunctionNArguments* arguments)
+{
+  return *static_cast<const PieceGroup*>(arguments->geometryUserPtr);
+}
+
+ClearLimits LimitsOf(const RTCFilterFunctionNArguments* arguments)
+{
+  const Query& query = QueryOf(arguments);
+  const PieceGroup& group = GroupOf(arguments);
+  return { group.ClearInside, group.ClearHeight * query.ClearHeight };
+}
+
+/// Is hit @p i of n, found in single precision, one beyond doubt?
+inline bool IsHitClear(const RTCFilterFunctionNArguments* arguments, unsigned int n, unsigned int i)
+{
+  RTCRayN* ray = arguments->ray;
+  RTCHitN* hit = arguments->hit;
+  return IsClear(RTCHitN_Ng_x(hit, n, i), RTCHitN_Ng_y(hit, n, i), RTCHitN_Ng_z(hit, n, i), RTCHitN_u(hit, n, i),
+    RTCHitN_v(hit, n, i), RTCRayN_tfar(ray, n, i), RTCRayN_dir_x(ray, n, i), RTCRayN_dir_y(ray, n, i),
+    RTCRayN_dir_z(ray, n, i), EndOfRay(RTCRayN_id(ray, n, i)), LimitsOf(arguments));
+}
+
+/// Keep a hit where its triangle is met. All are wanted: note it, and let the traversal go on as where it is not met.
+void Decide(const RTCFilterFunctionNArguments* arguments, unsigned int i, bool clear)
+{
+  const Query& query = QueryOf(arguments);
+  const TriangleMeshView& mesh = query.Mesh;
+  const vtkIdType triangle = GroupOf(arguments).Triangles[RTCHitN_primID(arguments->hit, arguments->N, i)];
+  const unsigned int index = RTCRayN_id(arguments->ray, arguments->N, i) & rayIndexMask;
   const bool met = !(query.Rules.Ignored && query.Rules.Ignored[triangle]) &&
-    (clear || Crosses(query.RayOf(id), mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2)));
+    (clear ||
+      Crosses(query.RayOf(index), mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2)));
   if (met && query.Found)
   {
     query.Found->push_back(triangle);
   }
-  if (!met || query.Found) // so that the traversal goes on
+  if (!met || query.Found)
   {
     arguments->valid[i] = 0;
   }
 }
 
-/// Embree found pieces in single precision: for one ray, or for some of a packet.
-template <int Shape>
-void Filter(const RTCFilterFunctionNArguments* arguments)
+[[gnu::noinline]] void FilterPacket(const RTCFilterFunctionNArguments* arguments)
 {
-  const auto& query = *reinterpret_cast<const Query*>(arguments->context);
-  if (arguments->N == 1)
+  const auto& rays = *reinterpret_cast<const RTCRay8*>(arguments->ray);
+  const auto& hits = *reinterpret_cast<const RTCHit8*>(arguments->hit);
+  const bool takesClear = QueryOf(arguments).TakesClear;
+  int clear[rayPacketSize];
+  if (!FindClear(rays, hits, arguments->valid, LimitsOf(arguments), clear) && takesClear)
   {
-    FilterOne<Shape, 1>(arguments, 0, query);
     return;
   }
-  if (arguments->N != packetSize)
+  for (unsigned int k = 0; k < rayPacketSize; ++k)
   {
-    for (unsigned int i = 0; i < arguments->N; ++i)
+    if (arguments->valid[k] && !(clear[k] && takesClear))
     {
-      if (arguments->valid[i])
-      {
-        FilterOne<Shape, 0>(arguments, i, query);
-      }
+      Decide(arguments, k, clear[k] != 0);
     }
-    return;
-  }
-  // Mostly one of a packet's rays is asked about: no branch for each of the others.
-  unsigned int asked = 0;
-  for (unsigned int i = 0; i < packetSize; ++i)
-  {
-    asked |= (static_cast<unsigned int>(arguments->valid[i]) & 1u) << i;
-  }
-  for (; asked != 0; asked &= asked - 1)
-  {
-    FilterOne<Shape, packetSize>(arguments, static_cast<unsigned int>(__builtin_ctz(asked)), query);
   }
 }
 
-constexpr RTCFilterFunctionN filters[numberOfShapes] = { Filter<0>, Filter<1>, Filter<2> };
+[[gnu::noinline]] void FilterAny(const RTCFilterFunctionNArguments* arguments)
+{
+  for (unsigned int i = 0; i < arguments->N; ++i)
+  {
+    if (arguments->valid[i])
+    {
+      Decide(arguments, i, IsHitClear(arguments, arguments->N, i));
+    }
+  }
+}
 
-/// A cell as Embree has it, its pieces in one geometry for each shape.
+/// Hits are found in single precision, for one ray or some of a packet: keep those whose triangles are crossed.
+void Filter(const RTCFilterFunctionNArguments* arguments)
+{
+  if (arguments->N == 1)
+  {
+    if (!(IsHitClear(arguments, 1, 0) && QueryOf(arguments).TakesClear))
+    {
+      FilterAny(arguments);
+    }
+    return;
+  }
+  unsigned int asked = 0;
+  if (arguments->N == rayPacketSize)
+  {
+    for (int k = 0; k < rayPacketSize; ++k)
+    {
+      asked |= static_cast<unsigned int>(arguments->valid[k]) & (1u << k);
+    }
+    // Mostly it is one ray of a packet. Embree has just written its distance alone: reading all eight would wait for it.
+    if ((asked & (asked - 1)) != 0)
+    {
+      FilterPacket(arguments);
+      return;
+    }
+  }
+  if (!(asked && IsHitClear(arguments, rayPacketSize, static_cast<unsigned int>(__builtin_ctz(asked))) &&
+        QueryOf(arguments).TakesClear))
+  {
+    FilterAny(arguments);
+  }
+}
+
+/// A cell as Embree has it, its pieces in one geometry for each size.
 struct EmbreeCell
 {
   RTCScene Scene = nullptr;
-  std::vector<unsigned int> Triangles[numberOfShapes]; ///< of each piece of a geometry
+  std::vector<PieceGroup> Groups;
+
+  vtkIdType TriangleOf(unsigned int group, unsigned int piece) const { return this->Groups[group].Triangles[piece]; }
 };
 
-/// The first shape that a piece has; the last one where it holds more than its triangle.
-int ShapeOf(const CellPiece& piece)
+/// Pieces of one size have longest edges within a factor of 2^(1 / sizesOfOctave); the last are all that are no longer.
+constexpr int numberOfSizes = 48;
+constexpr double sizesOfOctave = 3.0;
+
+struct PieceSize
+{
+  double LongestEdge = 0.0;
+  double TwiceArea = 0.0;
+};
+
+PieceSize SizeOf(const CellPiece& piece)
 {
   const auto corner = [&piece](std::size_t i)
   { return Vector3{ piece.Corners[i][0], piece.Corners[i][1], piece.Corners[i][2] }; };
   const Vector3 ab = corner(1) - corner(0);
   const Vector3 ac = corner(2) - corner(0);
-  const double longest = std::max({ Length(ab), Length(ac), Length(ac - ab) });
-  const double area = Length(Cross(ab, ac));
-  int shape = 0;
-  while (shape + 1 < numberOfShapes && !(piece.Exact && longest * longest < shapes[shape] * shapes[shape] * area))
-  {
-    ++shape;
-  }
-  return shape;
+  return { std::sqrt(std::max({ Dot(ab, ab), Dot(ac, ac), Dot(ac - ab, ac - ab) })), Length(Cross(ab, ac)) };
+}
+
+/// 0: of pieces that hold more than their triangle, whose hits are never clear.
+unsigned int GroupOf(const CellPiece& piece)
+{
+  constexpr double largest = 2.0; // a cell's diagonal
+  const double step = sizesOfOctave * std::log2(largest / SizeOf(piece).LongestEdge);
+  return piece.Exact ? 1u + static_cast<unsigned int>(std::clamp(step, 0.0, numberOfSizes - 1.0)) : 0u;
 }
 
 /// Embree's own memory; a limit makes it fail as if there were no more.
@@ -289,26 +321,27 @@ bool WatchMemory(void* user, ssize_t bytes, bool post)
 }
 
 /// A ray of a cell in single precision, a little longer than it is.
-void SetRay(RTCRay& ray, const OccluderCell& cell, const RayStretch& stretch, double begin, double end)
+void SetRay(RTCRay& ray, const OccluderCell& cell, const Vector3& origin, const Vector3& direction, double begin,
+  double end, unsigned int index = 0)
 {
   const double first = begin - cell.RayMargin;
-  const Vector3 start = cell.Scale * (stretch.Origin + first * stretch.Direction - cell.Center);
+  const Vector3 start = cell.Scale * (origin + first * direction - cell.Center);
   ray.org_x = static_cast<float>(start.X);
   ray.org_y = static_cast<float>(start.Y);
   ray.org_z = static_cast<float>(start.Z);
-  ray.dir_x = static_cast<float>(stretch.Direction.X);
-  ray.dir_y = static_cast<float>(stretch.Direction.Y);
-  ray.dir_z = static_cast<float>(stretch.Direction.Z);
+  ray.dir_x = static_cast<float>(direction.X);
+  ray.dir_y = static_cast<float>(direction.Y);
+  ray.dir_z = static_cast<float>(direction.Z);
   ray.tnear = 0.0f;
   ray.tfar = static_cast<float>(cell.Scale * (end - first) + rayMargin);
   ray.time = 0.0f;
   ray.mask = ~0u;
-  ray.id = 0;
+  ray.id = RayId(ray.tfar, index);
   ray.flags = 0;
 }
 
 /// One ray of a packet.
-void SetLane(RTCRay8& rays, int k, const RTCRay& ray, unsigned int id)
+void SetLane(RTCRay8& rays, int k, const RTCRay& ray)
 {
   rays.org_x[k] = ray.org_x;
   rays.org_y[k] = ray.org_y;
@@ -320,88 +353,52 @@ void SetLane(RTCRay8& rays, int k, const RTCRay& ray, unsigned int id)
   rays.tfar[k] = ray.tfar;
   rays.time[k] = 0.0f;
   rays.mask[k] = ~0u;
-  rays.id[k] = id;
+  rays.id[k] = ray.id;
   rays.flags[k] = 0;
-}
-
-/// Eight rays from one point in a cell or near it, @p start in its frame.
-void SetNearRays(const Query& query, const OccluderCell& cell, const Vector3& start, int first, std::uint64_t wanted,
-  RTCRay8& rays, int* valid)
-{
-  for (int k = 0; k < packetSize; ++k)
-  {
-    const double dx = query.X[first + k];
-    const double dy = query.Y[first + k];
-    const double dz = query.Z[first + k];
-    const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
-    const bool asked = ((wanted >> (first + k)) & 1u) && distance > 0.0 && std::isfinite(distance);
-    const double scale = asked ? 1.0 / distance : 0.0;
-    valid[k] = asked ? -1 : 0;
-    rays.dir_x[k] = static_cast<float>(dx * scale);
-    rays.dir_y[k] = static_cast<float>(dy * scale);
-    rays.dir_z[k] = static_cast<float>(dz * scale);
-    rays.tfar[k] = static_cast<float>(query.Infinity ? HUGE_VAL : cell.Scale * distance + 2.0 * rayMargin);
-  }
-  const auto margin = static_cast<float>(rayMargin);
-  const auto startX = static_cast<float>(start.X);
-  const auto startY = static_cast<float>(start.Y);
-  const auto startZ = static_cast<float>(start.Z);
-  for (int k = 0; k < packetSize; ++k)
-  {
-    // A little longer than asked for, on both ends: the filter decides.
-    rays.org_x[k] = startX - margin * rays.dir_x[k];
-    rays.org_y[k] = startY - margin * rays.dir_y[k];
-    rays.org_z[k] = startZ - margin * rays.dir_z[k];
-    rays.tnear[k] = 0.0f;
-    rays.time[k] = 0.0f;
-    rays.mask[k] = ~0u;
-    rays.id[k] = static_cast<unsigned int>(first + k);
-    rays.flags[k] = 0;
-  }
 }
 
 /// Eight rays from one point far from a cell: each starts where it enters.
 void SetFarRays(
-  const Query& query, const OccluderCell& cell, int first, std::uint64_t wanted, RTCRay8& rays, int* valid)
+  const Query& query, const OccluderCell& cell, unsigned int wanted, unsigned int firstIndex, RayPacket& packet)
 {
-  for (int k = 0; k < packetSize; ++k)
+  for (int k = 0; k < rayPacketSize; ++k)
   {
-    const auto id = static_cast<unsigned int>(first + k);
-    const Vector3 to{ query.X[id], query.Y[id], query.Z[id] };
+    const unsigned int index = firstIndex + static_cast<unsigned int>(k);
+    const Vector3 to{ query.X[index], query.Y[index], query.Z[index] };
     RTCRay ray{};
-    valid[k] = 0;
-    if (((wanted >> id) & 1u) && IsFinite(to) && Dot(to, to) > 0.0)
+    packet.Valid[k] = 0;
+    if (((wanted >> k) & 1u) && IsFinite(to) && Dot(to, to) > 0.0)
     {
-      const RayStretch stretch = query.RayOf(id);
+      const RayStretch stretch = query.RayOf(index);
       double begin = 0.0;
       double end = stretch.End;
       if (cell.Bounds.Clip(stretch.Origin, stretch.Direction, begin, end))
       {
-        SetRay(ray, cell, stretch, begin, end);
-        valid[k] = -1;
+        begin = std::max(0.0, begin - cell.Reach);
+        end = std::min(stretch.End, end + cell.Reach);
+        SetRay(ray, cell, stretch.Origin, stretch.Direction, begin, end, index);
+        packet.Valid[k] = -1;
       }
     }
-    SetLane(rays, k, ray, id);
+    SetLane(packet.Traced.ray, k, ray);
   }
 }
 
 bool AllInSinglePrecision(const TriangleMeshView& mesh)
 {
-  return std::all_of(mesh.Points, mesh.Points + 3 * mesh.NumberOfPoints,
-    [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
+  return std::all_of(mesh.Points, mesh.Points + 3 * mesh.NumberOfPoints, IsSinglePrecision);
 }
 
-RayStretch StretchOf(
-  const Vector3& origin, const Vector3& direction, double tMin, double tMax, const RayRules& rules)
+/// Embree stops the program at a ray that is not a number. Differences are quicker than six questions.
+bool IsFiniteRay(const Vector3& origin, const Vector3& direction)
 {
-  return { origin, direction, tMin, tMax, rules.StartTolerance, rules.EndTolerance };
+  const Vector3 none = (origin - origin) + (direction - direction);
+  return none.X + none.Y + none.Z == 0.0;
 }
 } // anonymous namespace
 
 struct OccluderScene::Implementation
 {
-  using PieceIterator = std::vector<CellPiece>::const_iterator;
-
   explicit Implementation(const TriangleMeshView& mesh)
     : Mesh(mesh)
     , Bounds(MeshBounds(mesh))
@@ -439,28 +436,31 @@ struct OccluderScene::Implementation
     EmbreeCell& built = this->Scenes.back();
     built.Scene = rtcNewScene(this->Device);
     rtcSetSceneFlags(built.Scene, RTC_SCENE_FLAG_ROBUST);
-    auto begin = cell.Pieces.begin();
-    for (int shape = 0; shape < numberOfShapes; ++shape)
+    std::vector<std::vector<unsigned int>> members(1 + numberOfSizes);
+    for (std::size_t i = 0; i < cell.Pieces.size(); ++i)
     {
-      const auto end = std::stable_partition(
-        begin, cell.Pieces.end(), [shape](const CellPiece& piece) { return ShapeOf(piece) <= shape; });
-      this->AddGeometry(built, static_cast<unsigned int>(shape), begin, end);
-      begin = end;
+      members[GroupOf(cell.Pieces[i])].push_back(static_cast<unsigned int>(i));
+    }
+    built.Groups.resize(members.size()); // Embree keeps their addresses
+    for (std::size_t group = 0; group < members.size(); ++group)
+    {
+      if (!members[group].empty())
+      {
+        this->AddGeometry(built, static_cast<unsigned int>(group), cell.Pieces, members[group]);
+      }
     }
     rtcCommitScene(built.Scene);
     this->ThrowOnError();
     cell.Pieces = {};
   }
 
-  void AddGeometry(EmbreeCell& cell, unsigned int id, PieceIterator begin, PieceIterator end)
+  void AddGeometry(EmbreeCell& cell, unsigned int id, const std::vector<CellPiece>& pieces,
+    const std::vector<unsigned int>& members)
   {
-    const auto count = static_cast<std::size_t>(end - begin);
-    if (count == 0)
-    {
-      return;
-    }
-    std::vector<unsigned int>& triangles = cell.Triangles[id];
-    triangles.reserve(count);
+    const std::size_t count = members.size();
+    PieceGroup& group = cell.Groups[id];
+    group.Triangles.reserve(count);
+    PieceSize largest;
     RTCGeometry geometry = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* points = static_cast<float*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count));
@@ -468,61 +468,70 @@ struct OccluderScene::Implementation
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), count));
     if (points && corners)
     {
-      for (auto piece = begin; piece != end; ++piece)
+      for (const unsigned int member : members)
       {
-        for (const auto& corner : piece->Corners)
+        const CellPiece& piece = pieces[member];
+        for (const auto& corner : piece.Corners)
         {
           points = std::copy(corner.begin(), corner.end(), points);
         }
-        triangles.push_back(static_cast<unsigned int>(piece->Triangle));
+        group.Triangles.push_back(static_cast<unsigned int>(piece.Triangle));
+        const PieceSize size = SizeOf(piece);
+        largest.LongestEdge = std::max(largest.LongestEdge, size.LongestEdge);
+        largest.TwiceArea = std::max(largest.TwiceArea, size.TwiceArea);
       }
       std::iota(corners, corners + 3 * count, 0u);
-      rtcSetGeometryUserData(geometry, triangles.data());
-      rtcSetGeometryIntersectFilterFunction(geometry, filters[id]);
-      rtcSetGeometryOccludedFilterFunction(geometry, filters[id]);
+      constexpr double twice = 2.0 * OccluderCells::Margin;
+      group.ClearInside = id > 0 ? static_cast<float>(1.0 / (twice * largest.LongestEdge)) : 0.0f;
+      group.ClearHeight = static_cast<float>(1.0 / (twice * largest.TwiceArea));
+      rtcSetGeometryUserData(geometry, &group);
+      rtcSetGeometryIntersectFilterFunction(geometry, Filter);
+      rtcSetGeometryOccludedFilterFunction(geometry, Filter);
       rtcCommitGeometry(geometry);
       rtcAttachGeometryByID(cell.Scene, geometry, id);
     }
     rtcReleaseGeometry(geometry);
   }
 
-  /// Ask the cells on the way of one ray; @p best receives the nearest hit. @return true where any is wanted and met.
-  bool Trace(Query& query, const RayStretch& ray, const RayRules& rules, RayHit* best) const
+  /// Ask the cells on the way of the query's one ray: for the nearest hit, if @p best is given. @return is there any?
+  bool Trace(Query& query, RayHit* best) const
   {
-    if (!IsFinite(ray.Origin) || !IsFinite(ray.Direction))
+    const Vector3& origin = *query.Origins;
+    const Vector3& direction = *query.Directions;
+    if (!IsFiniteRay(origin, direction))
     {
-      return false; // Embree stops the program at a ray that is not a number
+      return false;
     }
-    query.Mesh = &this->Mesh;
-    query.Rays = &ray;
     if (this->Scenes.size() == 1)
     {
-      double first = ray.Begin;
-      double last = ray.End;
-      return this->Cells.Cells[0].Bounds.Clip(ray.Origin, ray.Direction, first, last) &&
-        this->TraceCell(0, query, ray, rules, first, last, best);
+      // From inside nothing is to be cut off: Embree passes by what is beyond the bounds anyway.
+      const Box& bounds = this->Cells.Cells[0].Bounds;
+      double first = query.Begin;
+      double last = query.End;
+      return (bounds.Contains(origin) ? first < last : bounds.Clip(origin, direction, first, last)) &&
+        this->TraceCell(0, query, first, last, best);
     }
-    double end = ray.End;
-    return this->Cells.Visit(ray.Origin, ray.Direction, ray.Begin, end,
+    double end = query.End;
+    return this->Cells.Visit(origin, direction, query.Begin, end,
       [&](std::size_t cell, double first, double last)
       {
-        const bool met = this->TraceCell(cell, query, ray, rules, first, last, best);
+        const bool met = this->TraceCell(cell, query, first, last, best);
         end = best && best->Triangle >= 0 ? std::min(end, best->T) : end;
         return met;
       });
   }
 
-  bool TraceCell(std::size_t index, Query& query, const RayStretch& ray, const RayRules& rules, double first,
-    double last, RayHit* best) const
+  bool TraceCell(std::size_t index, Query& query, double first, double last, RayHit* best) const
   {
     const OccluderCell& cell = this->Cells.Cells[index];
     const EmbreeCell& built = this->Scenes[index];
+    const Vector3& origin = *query.Origins;
+    const Vector3& direction = *query.Directions;
     RTCRayHit rayHit;
-    SetRay(rayHit.ray, cell, ray, first, last);
-    const float frameEnd = rayHit.ray.tfar;
-    query.Ends = &frameEnd;
-    query.SetRules(rules, cell.Scale);
-    if (query.What == Wanted::Any)
+    SetRay(rayHit.ray, cell, origin, direction, std::max(query.Begin, first - cell.Reach),
+      std::min(query.End, last + cell.Reach));
+    query.SetScale(cell.Scale);
+    if (!best && !query.Found)
     {
       Any(built.Scene, query, rayHit.ray);
       return rayHit.ray.tfar < 0.0f;
@@ -532,7 +541,7 @@ struct OccluderScene::Implementation
     Nearest(built.Scene, query, rayHit);
     if (rayHit.hit.geomID != RTC_INVALID_GEOMETRY_ID)
     {
-      const RayHit hit = HitOf(this->Mesh, built.Triangles[rayHit.hit.geomID][rayHit.hit.primID], ray);
+      const RayHit hit = HitOf(this->Mesh, built.TriangleOf(rayHit.hit.geomID, rayHit.hit.primID), origin, direction);
       *best = best->Triangle < 0 || hit.T < best->T ? hit : *best;
     }
     return false;
@@ -545,6 +554,17 @@ struct OccluderScene::Implementation
     std::vector<unsigned char> Triangles; ///< empty: none
   };
 
+  Query QueryOf(
+    const Vector3& origin, const Vector3& direction, double begin, double end, const RayRules& rules) const
+  {
+    Query query(this->Mesh, rules);
+    query.Origins = &origin;
+    query.Directions = &direction;
+    query.Begin = begin;
+    query.End = end;
+    return query;
+  }
+
   const TriangleMeshView Mesh;
   const Box Bounds;
   const bool IsSinglePrecision;
@@ -555,16 +575,6 @@ struct OccluderScene::Implementation
   RTCDevice Device = nullptr;
   std::vector<EmbreeCell> Scenes; ///< of the cells
 };
-
-Box MeshBounds(const TriangleMeshView& mesh)
-{
-  Box bounds;
-  for (vtkIdType i = 0; i < 3 * mesh.NumberOfTriangles; ++i)
-  {
-    bounds.Add(mesh.Point(mesh.Triangles[i]));
-  }
-  return bounds;
-}
 
 OccluderScene::OccluderScene(const TriangleMeshView& mesh, const OccluderSceneOptions& options)
 {
@@ -662,10 +672,9 @@ double OccluderScene::SurfaceTolerance(const Vector3& point) const
 bool OccluderScene::Intersect(const Vector3& origin, const Vector3& direction, double tMin, double tMax, RayHit& hit,
   const RayRules& rules) const
 {
-  Query query;
-  query.What = Wanted::Nearest;
+  Query query = this->Impl->QueryOf(origin, direction, tMin, tMax, rules);
   RayHit best;
-  this->Impl->Trace(query, StretchOf(origin, direction, tMin, tMax, rules), rules, &best);
+  this->Impl->Trace(query, &best);
   if (best.Triangle < 0)
   {
     return false;
@@ -687,39 +696,43 @@ void OccluderScene::IntersectPacket(
     }
     return;
   }
-  const OccluderCell& cell = impl.Cells.Cells[0];
-  alignas(32) RTCRayHit8 packet;
-  alignas(32) int valid[packetSize];
-  RayStretch rays[packetSize];
-  float ends[packetSize];
-  for (int k = 0; k < packetSize; ++k)
+  WorldRays rays;
+  for (int k = 0; k < rayPacketSize; ++k)
   {
-    RTCRay ray{};
-    valid[k] = 0;
-    double begin = 0.0;
-    double end = HUGE_VAL;
-    if (k < count && IsFinite(origins[k]) && IsFinite(directions[k]) &&
-      cell.Bounds.Clip(origins[k], directions[k], begin, end))
+    const int from = std::min(k, count - 1);
+    for (int axis = 0; axis < 3; ++axis)
     {
-      rays[k] = StretchOf(origins[k], directions[k], 0.0, HUGE_VAL, {});
-      SetRay(ray, cell, rays[k], begin, end);
-      valid[k] = -1;
+      rays.Origins[axis][k] = origins[from][axis];
+      rays.Directions[axis][k] = directions[from][axis];
     }
-    SetLane(packet.ray, k, ray, static_cast<unsigned int>(k));
-    ends[k] = ray.tfar;
-    packet.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-    packet.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
   }
-  Query query;
-  query.What = Wanted::Nearest;
-  query.Mesh = &impl.Mesh;
-  query.Rays = rays;
-  query.Ends = ends;
-  NearestOfPacket(valid, impl.Scenes[0].Scene, query, packet);
+  RayPacket packet;
+  SetFreeRays(impl.Cells.Cells[0], rays, (1u << count) - 1u, packet);
+  const RayRules rules;
+  Query query(impl.Mesh, rules);
+  query.Origins = origins;
+  query.Directions = directions;
+  NearestOfPacket(packet.Valid, impl.Scenes[0].Scene, query, packet.Traced);
+  const RTCHit8& found = packet.Traced.hit;
   for (int k = 0; k < count; ++k)
   {
-    const bool met = valid[k] && packet.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
-    hits[k] = met ? HitOf(impl.Mesh, impl.Scenes[0].Triangles[packet.hit.geomID[k]][packet.hit.primID[k]], rays[k]) : RayHit();
+    hits[k] = RayHit();
+    if (packet.Valid[k] && found.geomID[k] != RTC_INVALID_GEOMETRY_ID)
+    {
+      hits[k].Triangle = impl.Scenes[0].TriangleOf(found.geomID[k], found.primID[k]);
+      FetchIds(impl.Mesh, hits[k].Triangle);
+    }
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    if (hits[k].Triangle >= 0)
+    {
+      FetchCorners(impl.Mesh, hits[k].Triangle);
+    }
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    hits[k] = hits[k].Triangle < 0 ? hits[k] : HitOf(impl.Mesh, hits[k].Triangle, origins[k], directions[k]);
   }
 }
 
@@ -729,14 +742,22 @@ void OccluderScene::IntersectAll(const Vector3& origin, const Vector3& direction
   hits.clear();
   thread_local std::vector<vtkIdType> found;
   found.clear();
-  Query query;
-  query.What = Wanted::All;
+  Query query = this->Impl->QueryOf(origin, direction, tMin, tMax, rules);
   query.Found = &found;
-  const RayStretch ray = StretchOf(origin, direction, tMin, tMax, rules);
-  this->Impl->Trace(query, ray, rules, nullptr);
+  query.TakesClear = false;
+  const TriangleMeshView& mesh = this->Impl->Mesh;
+  this->Impl->Trace(query, nullptr);
   for (const vtkIdType triangle : found)
   {
-    hits.push_back(HitOf(this->Impl->Mesh, triangle, ray));
+    FetchIds(mesh, triangle);
+  }
+  for (const vtkIdType triangle : found)
+  {
+    FetchCorners(mesh, triangle);
+  }
+  for (const vtkIdType triangle : found)
+  {
+    hits.push_back(HitOf(mesh, triangle, origin, direction));
   }
   std::sort(hits.begin(), hits.end(),
     [](const RayHit& a, const RayHit& b) { return a.T != b.T ? a.T < b.T : a.Triangle < b.Triangle; });
@@ -748,8 +769,8 @@ void OccluderScene::IntersectAll(const Vector3& origin, const Vector3& direction
 bool OccluderScene::Occluded(
   const Vector3& origin, const Vector3& direction, double tMin, double tMax, const RayRules& rules) const
 {
-  Query query;
-  return this->Impl->Trace(query, StretchOf(origin, direction, tMin, tMax, rules), rules, nullptr);
+  Query query = this->Impl->QueryOf(origin, direction, tMin, tMax, rules);
+  return this->Impl->Trace(query, nullptr);
 }
 
 std::uint64_t OccluderScene::OccludedFrom(const Vector3& origin, const double* x, const double* y, const double* z,
@@ -774,36 +795,28 @@ std::uint64_t OccluderScene::OccludedFrom(const Vector3& origin, const double* x
     return occluded;
   }
   const OccluderCell& cell = impl.Cells.Cells[0];
-  Query query;
-  query.Mesh = &impl.Mesh;
-  query.SetRules(rules, cell.Scale);
-  query.Origin = &origin;
+  Query query(impl.Mesh, rules);
+  query.SetScale(cell.Scale);
+  query.Origins = &origin;
   query.X = x;
   query.Y = y;
   query.Z = z;
-  query.Infinity = infinity;
-  float ends[64];
-  query.Ends = ends;
+  query.End = infinity ? HUGE_VAL : 0.0;
   const Vector3 start = cell.Scale * (origin - cell.Center);
   // From far away each ray starts at the bounds, at its own place.
   const bool isNear = Dot(start, start) < farthestOrigin * farthestOrigin;
-  for (int first = 0; first < 64; first += packetSize)
+  for (unsigned int first = 0; first < 64; first += rayPacketSize)
   {
-    if (((wanted >> first) & ((1u << packetSize) - 1)) == 0)
+    const auto asked = static_cast<unsigned int>(wanted >> first) & ((1u << rayPacketSize) - 1u);
+    if (asked == 0)
     {
       continue;
     }
-    alignas(32) RTCRay8 rays;
-    alignas(32) int valid[packetSize];
-    isNear ? SetNearRays(query, cell, start, first, wanted, rays, valid)
-           : SetFarRays(query, cell, first, wanted, rays, valid);
-    std::copy(rays.tfar, rays.tfar + packetSize, ends + first);
-    AnyOfPacket(valid, impl.Scenes[0].Scene, query, rays);
-    for (int k = 0; k < packetSize; ++k)
-    {
-      const bool hit = valid[k] && rays.tfar[k] < 0.0f;
-      occluded |= static_cast<std::uint64_t>(hit) << (first + k);
-    }
+    RayPacket packet;
+    isNear ? SetNearRays(cell, start, x + first, y + first, z + first, asked, first, infinity, packet)
+           : SetFarRays(query, cell, asked, first, packet);
+    AnyOfPacket(packet.Valid, impl.Scenes[0].Scene, query, packet.Traced.ray);
+    occluded |= static_cast<std::uint64_t>(BlockedRays(packet)) << first;
   }
   return occluded;
 }

@@ -7,7 +7,9 @@
 #define scOccluderScene_h
 
 #include "ShadowConesCoreModule.h"
+#include "scBox.h"
 #include "scFlatFace.h"
+#include "scTriangleMesh.h"
 #include "scVector3.h"
 #include "vtkType.h"
 
@@ -17,23 +19,6 @@
 
 namespace shadowcones
 {
-
-/// A triangle mesh, not owned. Points: 3 doubles each. Triangles: 3 point ids each.
-struct TriangleMeshView
-{
-  const double* Points = nullptr;
-  vtkIdType NumberOfPoints = 0;
-  const vtkIdType* Triangles = nullptr;
-  vtkIdType NumberOfTriangles = 0;
-  const int* OccluderIds = nullptr; ///< one a triangle, or nullptr: all 0; negative: a receiver, it casts no vectors
-
-  Vector3 Point(vtkIdType id) const { return { this->Points[3 * id], this->Points[3 * id + 1], this->Points[3 * id + 2] }; }
-  Vector3 Corner(vtkIdType triangle, int corner) const { return this->Point(this->Triangles[3 * triangle + corner]); }
-  int OccluderId(vtkIdType triangle) const { return this->OccluderIds ? this->OccluderIds[triangle] : 0; }
-};
-
-/// Bounds of the triangles' points.
-SHADOWCONESCORE_EXPORT Box MeshBounds(const TriangleMeshView& mesh);
 
 struct RayHit
 {
@@ -99,8 +84,6 @@ public:
   RayRules RulesFor(const FlatFace& lamp) const;
   /// How far a point on a surface may lie off it for its coordinates or the mesh's being in single precision, else 0.
   double SurfaceTolerance(const Vector3& point) const;
-  /// 0: rays need no gap at their start or end.
-  double Epsilon() const { return 0.0; }
 
   /// Nearest hit with T in (tMin, tMax); @p direction unit. @return false where there is none.
   bool Intersect(const Vector3& origin, const Vector3& direction, double tMin, double tMax, RayHit& hit,

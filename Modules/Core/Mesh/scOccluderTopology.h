@@ -7,8 +7,8 @@
 #define scOccluderTopology_h
 
 #include "ShadowConesCoreModule.h"
-#include "scOccluderScene.h"
 #include "scParallel.h"
+#include "scTriangleMesh.h"
 
 #include <vector>
 
@@ -35,7 +35,7 @@ struct OccluderTopology
 {
   std::vector<vtkIdType> Points;          ///< for each point that is kept its index in the input, ascending
   std::vector<vtkIdType> Triangles;       ///< 3 indices into Points, wound as they are to be
-  std::vector<vtkIdType> SourceTriangles; ///< for each triangle its index in the input, ascending
+  std::vector<vtkIdType> InputTriangles;  ///< for each triangle its index in the input, ascending
   std::vector<int> OccluderIds;           ///< one a triangle, in order of the first triangle; -1: a receiver
   std::vector<unsigned char> Closed;      ///< for each occluder 1 where its surface has no border
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scPolygonTriangulation.h"
 
+#include "scFrame.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -59,14 +59,14 @@ struct TriangleFrame
   Vector3 Normal; ///< twice the area long
 };
 
-/// Distance along the ray to the plane of a triangle; @p front: the ray runs against the triangle's normal.
-inline double DistanceToPlane(
-  const RayStretch& ray, const Vector3& a, const Vector3& b, const Vector3& c, bool& front)
+/// Distance along a ray to the plane of a triangle; @p front: the ray runs against the triangle's normal.
+inline double DistanceToPlane(const Vector3& origin, const Vector3& direction, const Vector3& a, const Vector3& b,
+  const Vector3& c, bool& front)
 {
   const TriangleFrame triangle(a, b, c);
-  const double slope = Dot(triangle.Normal, ray.Direction);
+  const double slope = Dot(triangle.Normal, direction);
   front = slope <= 0.0;
-  return Dot(triangle.Normal, triangle.Corner - ray.Origin) / slope;
+  return Dot(triangle.Normal, triangle.Corner - origin) / slope;
 }
 
 /**

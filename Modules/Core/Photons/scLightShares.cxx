@@ -45,8 +45,7 @@ std::vector<vtkIdType> Apportion(const std::vector<double>& shares, vtkIdType to
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto missing = [&](std::size_t i)
   { return shares[i] * static_cast<double>(total) - static_cast<double>(parts[i]); };
-  std::stable_sort(
-    order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return missing(a) > missing(b); });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return missing(a) > missing(b); });
   const vtkIdType left = total - std::accumulate(parts.begin(), parts.end(), vtkIdType(0));
   for (vtkIdType k = 0; k < left; ++k)
   {
@@ -69,21 +68,21 @@ LightShares::LightShares(const std::vector<double>& powers)
     }
   }
   // Each light's photons spread evenly over the pattern.
-  const auto turn = [this](const Place& place)
+  const auto turn = [this](const LightPhoton& photon)
   {
-    return (static_cast<double>(place.Index) + 0.5) /
-      static_cast<double>(this->InPattern[static_cast<std::size_t>(place.Light)]);
+    return (static_cast<double>(photon.Index) + 0.5) /
+      static_cast<double>(this->InPattern[static_cast<std::size_t>(photon.Light)]);
   };
   std::stable_sort(this->Pattern.begin(), this->Pattern.end(),
-    [&](const Place& a, const Place& b) { return turn(a) < turn(b); });
+    [&](const LightPhoton& a, const LightPhoton& b) { return turn(a) < turn(b); });
 }
 
-LightShares::Place LightShares::At(vtkIdType photon) const
+LightShares::LightPhoton LightShares::At(vtkIdType photon) const
 {
   const auto length = static_cast<vtkIdType>(this->Pattern.size());
-  Place place = this->Pattern[static_cast<std::size_t>(photon % length)];
-  place.Index += photon / length * this->InPattern[static_cast<std::size_t>(place.Light)];
-  return place;
+  LightPhoton found = this->Pattern[static_cast<std::size_t>(photon % length)];
+  found.Index += photon / length * this->InPattern[static_cast<std::size_t>(found.Light)];
+  return found;
 }
 
 std::vector<vtkIdType> LightShares::Counts(vtkIdType photons) const

@@ -24,18 +24,18 @@ class LightShares
 public:
   explicit LightShares(const std::vector<double>& powers);
 
-  struct Place
+  struct LightPhoton
   {
     int Light = 0;
     vtkIdType Index = 0; ///< among the photons of that light
   };
-  Place At(vtkIdType photon) const;
+  LightPhoton At(vtkIdType photon) const;
   /// How many of the first @p photons each light has.
   std::vector<vtkIdType> Counts(vtkIdType photons) const;
 
 private:
   std::vector<vtkIdType> InPattern; ///< of every light
-  std::vector<Place> Pattern;
+  std::vector<LightPhoton> Pattern;
 };
 
 } // namespace shadowcones

@@ -7,7 +7,8 @@
 #define scPhotonEmission_h
 
 #include "scLight.h"
-#include "scOccluderScene.h"
+#include "scLightSampling.h"
+#include "scTriangleMesh.h"
 
 #include <cstdint>
 
@@ -31,6 +32,10 @@ class PhotonEmission
 {
 public:
   PhotonEmission(const Light& light, const TriangleMeshView& mesh);
+  /// Aims at a box, which may be empty. @param whole diagonal of the bounds of all triangles, receivers included.
+  PhotonEmission(const Light& light, const Box& target, double whole);
+  /// What photons are aimed at: a little wider than what was given.
+  const Box& Target() const { return this->Bounds; }
   /// Photon @p index of the sequence @p seed.
   EmittedPhoton Emit(std::uint64_t seed, vtkIdType index) const;
 
@@ -44,13 +49,13 @@ private:
   EmittedPhoton EmitFromSun(const double (&u)[4]) const;
   EmittedPhoton EmitOverHemisphere(const LightSurfaceSample& start, double u, double v) const;
 
-  const Light& Source;
+  const Light& Lamp;
   double MeanRadiance = 0.0;
   double Area = 0.0; ///< 1 for point lights, whose spectrum is an intensity
   bool IsPoint = false;
-  Box Target;
+  Box Bounds;         ///< of the target
   double Whole = 0.0; ///< diagonal of all triangles' bounds, receivers included
-  Light Faces[6]; ///< of the target, as rectangles that face outward
+  Light Faces[6];     ///< of the target, as rectangles that face outward
 };
 
 } // namespace shadowcones

@@ -25,8 +25,14 @@ enum class VectorStorage : int
 
 struct ShadowVectorOptions
 {
-  vtkIdType NumberOfPhotons = 40000;   ///< emitted in all, at least 0; used where TargetNumberOfVectors is 0
-  vtkIdType TargetNumberOfVectors = 0; ///< emit until so many vectors are stored; 0: off; gives up at 1000 photons a vector
+  vtkIdType NumberOfPhotons = 40000; ///< emitted in all, at least 0; used where TargetNumberOfVectors is 0
+  vtkIdType TargetNumberOfVectors =
+    0; ///< emit until so many vectors are stored; 0: off; gives up at 1000 photons a vector
+  /**
+   * Aim photons at occluders that would have fewer vectors of a light than these, 0: off; never more than an even share of the
+   * target, or of half the photons. They are among NumberOfPhotons.
+   */
+  int MinimumVectorsPerOccluder = 0;
   VectorStorage Storage = VectorStorage::BackSide;
   std::uint64_t Seed = 1;
   int Piece = 0; ///< this piece traces photons [N piece / pieces, N (piece + 1) / pieces)
@@ -36,9 +42,9 @@ struct ShadowVectorOptions
 /// Structure of arrays; three values a vector where named so.
 struct ShadowVectors
 {
-  std::vector<double> Points;         ///< 3
-  std::vector<float> Directions;      ///< 3, unit, away from the light
-  std::vector<float> Normals;         ///< 3, unit, outward at the back side; HitPoint: outward at the hit
+  std::vector<double> Points;    ///< 3
+  std::vector<float> Directions; ///< 3, unit, away from the light
+  std::vector<float> Normals;    ///< 3, unit, outward at the back side; HitPoint: outward at the hit
   std::vector<int> OccluderIds;
   std::vector<double> EmissionPoints; ///< 3
   std::vector<float> PathLengths;     ///< emission point to Points
@@ -61,8 +67,8 @@ struct PhotonPaths
 
 struct ShadowPhotons
 {
-  std::vector<double> Points;   ///< 3, on the next surface behind the first occluder
-  std::vector<float> Normals;   ///< 3, of that surface
+  std::vector<double> Points; ///< 3, on the next surface behind the first occluder
+  std::vector<float> Normals; ///< 3, of that surface
   std::vector<float> Directions;
   std::vector<float> Powers;    ///< W, negative: the flux that is missing there
   std::vector<int> OccluderIds; ///< of the occluder that casts the shadow
@@ -76,9 +82,12 @@ struct ShadowVectorResult
   ShadowVectors Vectors;
   PhotonPaths Paths;
   ShadowPhotons Photons;
-  vtkIdType NumberOfPhotons = 0; ///< emitted by all pieces together
+  vtkIdType NumberOfPhotons = 0;          ///< emitted by all pieces together
   std::vector<vtkIdType> PhotonsOfLights; ///< of these, one value a light
-  double MeanSolidAngle = 0.0;   ///< sr, into which photons were aimed, mean over those traced
+  double MeanSolidAngle = 0.0;            ///< sr, into which photons were aimed, mean over those traced
+  vtkIdType MinimumVectors = 0;           ///< that each occluder was to have of each light
+  vtkIdType NumberOfScarce = 0;       ///< pairs of an occluder and a light that have fewer nevertheless, and not none
+  vtkIdType NumberOfAimedPhotons = 0; ///< the first ones
 };
 
 /**
@@ -93,12 +102,6 @@ SHADOWCONESCORE_EXPORT bool TraceShadowVectors(const OccluderScene& scene, const
 /// The same for one light.
 SHADOWCONESCORE_EXPORT bool TraceShadowVectors(const OccluderScene& scene, const Light& light,
   const ShadowVectorOptions& options, const Monitor& monitor, ShadowVectorResult& result);
-
-/**
- * For each triangle whether its occluder's triangles form a closed, consistently oriented surface: every edge is used as
- * often in one direction as in the other. Points must be shared (welded).
- */
-SHADOWCONESCORE_EXPORT std::vector<bool> ClosedOccluders(const TriangleMeshView& mesh);
 
 } // namespace shadowcones
 

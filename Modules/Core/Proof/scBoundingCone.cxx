@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scBoundingCone.h"
 
+#include "scConstants.h"
+#include "scFrame.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
@@ -9,7 +12,6 @@ namespace shadowcones
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 
 double AngleBetween(const Vector3& a, const Vector3& b)
 {
@@ -69,8 +71,8 @@ std::vector<Circle> Outermost(const std::vector<Circle>& circles)
   std::vector<Circle> kept;
   for (int d = 0; d < directions; ++d)
   {
-    const double x = std::cos(2.0 * pi * d / directions);
-    const double y = std::sin(2.0 * pi * d / directions);
+    const double x = std::cos(2.0 * Pi * d / directions);
+    const double y = std::sin(2.0 * Pi * d / directions);
     kept.push_back(*std::max_element(circles.begin(), circles.end(), [x, y](const Circle& a, const Circle& b) {
       return a.X * x + a.Y * y + a.Radius < b.X * x + b.Y * y + b.Radius;
     }));
@@ -213,7 +215,7 @@ double NeededAngle(const LightPart& part, const Vector3& axis, const Vector3& po
   }
   const auto toBall = [&](const Vector3& center, double radius) {
     const double distance = Length(point - center);
-    return distance > radius ? AngleBetween(axis, point - center) + std::asin(radius / distance) : pi;
+    return distance > radius ? AngleBetween(axis, point - center) + std::asin(radius / distance) : Pi;
   };
   if (part.Points.empty())
   {

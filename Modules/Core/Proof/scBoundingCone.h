@@ -11,8 +11,9 @@
 #ifndef scBoundingCone_h
 #define scBoundingCone_h
 
-#include "scConeSet.h"
+#include "scCone.h"
 #include "scLightParts.h"
+#include "scSinglePrecision.h"
 
 #include <vector>
 
@@ -23,14 +24,6 @@ namespace shadowcones
 constexpr double largestProvedAngle = 1.5;
 /// Angles to a light at infinity are held with this margin, radians.
 constexpr double angularMargin = 1e-6;
-
-/// The nearest value in single precision.
-inline double RoundToSingle(double value)
-{
-  // Volatile: GCC 12 leaves the rounding out where it takes two values at a time.
-  const volatile float single = static_cast<float>(value);
-  return single;
-}
 
 /// A unit vector as readers see it that store it in single precision and normalise what they read; the same when it is stored again.
 Vector3 StoredDirection(const Vector3& direction);

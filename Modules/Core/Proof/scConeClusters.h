@@ -17,7 +17,7 @@ struct ClusterOptions
 {
   Box Region;                ///< where volume counts
   int LargestNumber = 150;   ///< cones to be added at most, where their half angles allow it
-  double FreeShare = 2e-4;   ///< below that number cones join where it adds at most this share to their volume
+  double FreeFraction = 2e-4; ///< below that number cones join where it adds at most this share to their volume
 };
 
 struct ClusterResult

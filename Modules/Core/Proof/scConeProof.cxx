@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scConeProof.h"
 
+#include "scBits.h"
 #include "scBoundingCone.h"
+#include "scCone.h"
 #include "scConeClusters.h"
-#include "scConeIntervals.h"
+#include "scLightExtent.h"
 #include "scOccluderParts.h"
 #include "scRandom.h"
 #include "scVolumeSample.h"
 
 #include <algorithm>
-#include <cstring>
 #include <set>
 
 namespace shadowcones
@@ -21,19 +22,6 @@ constexpr int fewestAdded = 16;
 /// The box that a cone holds where some part has none, in diagonals of the region to each side.
 constexpr double heldMargin = 10.0;
 
-Box CastersBounds(const TriangleMeshView& mesh)
-{
-  Box bounds;
-  for (vtkIdType i = 0; i < mesh.NumberOfTriangles; ++i)
-  {
-    for (int corner = 0; corner < 3 && mesh.OccluderId(i) >= 0; ++corner)
-    {
-      bounds.Add(mesh.Corner(i, corner));
-    }
-  }
-  return bounds;
-}
-
 Box Grown(const Box& box, double margin)
 {
   return { box.Min - Vector3{ margin, margin, margin }, box.Max + Vector3{ margin, margin, margin } };
@@ -43,13 +31,7 @@ Box Grown(const Box& box, double margin)
 class ValueHash
 {
 public:
-  void Add(double value)
-  {
-    std::uint64_t bits = 0;
-    value += 0.0; // -0 is 0
-    std::memcpy(&bits, &value, sizeof(bits));
-    this->Word = HashSeed(this->Word, bits);
-  }
+  void Add(double value) { this->Word = HashSeed(this->Word, BitsOf(value)); }
   void Add(const Vector3& v)
   {
     this->Add(v.X);
@@ -132,7 +114,7 @@ bool ProveLight(const TriangleMeshView& mesh, const Light& light, int id, Cluste
   options.LargestNumber = options.LargestNumber > 0 ? options.LargestNumber
     : own.empty()                                   ? addedWithoutGiven
                                                     : std::max(fewestAdded, static_cast<int>(own.size()));
-  const OccluderParts parts(mesh, light, ProofMarginsOf(CastersBounds(mesh)));
+  const OccluderParts parts(mesh, light, ProofMarginsOf(CasterBounds(mesh)));
   std::vector<OccluderPart> unproved;
   vtkIdType proved = 0;
   ClusterResult clusters;
@@ -217,7 +199,7 @@ bool ProveConeSet(const TriangleMeshView& mesh, const std::vector<Light>& lights
     proof.Cones.push_back(StoredCone(cone));
     proof.Cones.back().Origin = ConeOrigin::Fitted;
   }
-  const Box casters = CastersBounds(mesh);
+  const Box casters = CasterBounds(mesh);
   if (casters.Empty())
   {
     proof.Certified = true;
@@ -227,11 +209,12 @@ bool ProveConeSet(const TriangleMeshView& mesh, const std::vector<Light>& lights
   clusters.Region = options.Region.Empty() ? Grown(casters, 0.5 * casters.Diagonal()) : options.Region;
   clusters.LargestNumber = options.LargestNumberOfAddedCones;
   std::set<int> withoutCone;
-  const double share = 1.0 / std::max<double>(1.0, static_cast<double>(lights.size()));
+  const double fraction = 1.0 / std::max<double>(1.0, static_cast<double>(lights.size()));
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    const double begin = static_cast<double>(i) * share;
-    if (!ProveLight(mesh, lights[i], static_cast<int>(i), clusters, monitor.Part(begin, begin + share), withoutCone, proof))
+    const double begin = static_cast<double>(i) * fraction;
+    if (!ProveLight(
+          mesh, lights[i], static_cast<int>(i), clusters, monitor.Part(begin, begin + fraction), withoutCone, proof))
     {
       return false;
     }

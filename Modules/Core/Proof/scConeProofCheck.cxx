@@ -90,7 +90,7 @@ class Checker
 {
 public:
   Checker(const TriangleMeshView& mesh, const Light& light, const std::vector<Cone>& cones)
-    : Source(light)
+    : Lamp(light)
     , Cones(cones)
     , Hulls(HullsOf(light))
   {
@@ -202,16 +202,16 @@ private:
     {
       return false;
     }
-    if (this->Source.Shape == LightShape::Sun)
+    if (this->Lamp.Shape == LightShape::Sun)
     {
       const double turned = std::atan2(Length(Cross(hull.Normal, cone.Axis)), Dot(hull.Normal, cone.Axis));
-      return turned + this->Source.Radius + 0.999e-6 <= cone.HalfAngle;
+      return turned + this->Lamp.Radius + 0.999e-6 <= cone.HalfAngle;
     }
     return std::all_of(hull.Extremes.begin(), hull.Extremes.end(),
       [&](const Vector3& y) { return depth(t - y) - hull.Ball >= margin; });
   }
 
-  const Light& Source;
+  const Light& Lamp;
   const std::vector<Cone>& Cones;
   std::vector<Hull> Hulls;
   Vector3 Middle;

@@ -7,10 +7,10 @@
 #define scConeProofCheck_h
 
 #include "ShadowConesCoreModule.h"
-#include "scConeSet.h"
+#include "scCone.h"
 #include "scLight.h"
-#include "scOccluderScene.h"
 #include "scParallel.h"
+#include "scTriangleMesh.h"
 
 #include <array>
 #include <vector>

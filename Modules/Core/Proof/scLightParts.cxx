@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scLightParts.h"
 
-#include "scConeSet.h"
+#include "scBox.h"
+#include "scLightExtent.h"
 
 #include <algorithm>
 #include <numeric>
@@ -35,7 +36,7 @@ class MeshLightParts
 {
 public:
   explicit MeshLightParts(const Light& light)
-    : Source(light)
+    : Lamp(light)
     , Faces(light.Triangles.empty() ? light.Vertices.size() : light.Triangles.size())
   {
     std::iota(this->Faces.begin(), this->Faces.end(), std::size_t{ 0 });
@@ -47,9 +48,9 @@ public:
 private:
   std::array<Vector3, 3> Corners(std::size_t face) const
   {
-    const auto& vertices = this->Source.Vertices;
-    return this->Source.Triangles.empty() ? std::array<Vector3, 3>{ vertices[face], vertices[face], vertices[face] }
-                                          : this->Source.Triangles[face];
+    const auto& vertices = this->Lamp.Vertices;
+    return this->Lamp.Triangles.empty() ? std::array<Vector3, 3>{ vertices[face], vertices[face], vertices[face] }
+                                        : this->Lamp.Triangles[face];
   }
   Vector3 Middle(std::size_t face) const
   {
@@ -107,7 +108,7 @@ private:
       }
     }
     SetBall(part);
-    if (end - begin == 1 && !this->Source.Triangles.empty())
+    if (end - begin == 1 && !this->Lamp.Triangles.empty())
     {
       const auto corners = this->Corners(this->Faces[begin]);
       part.OneSided = true;
@@ -116,7 +117,7 @@ private:
     return part;
   }
 
-  const Light& Source;
+  const Light& Lamp;
   std::vector<std::size_t> Faces;
 };
 } // anonymous namespace
@@ -184,8 +185,8 @@ Polygon InFrontOf(const LightPart& part, const std::array<Vector3, 3>& triangle)
     }
     if ((heights[i] > 0.0) != (heights[next] > 0.0))
     {
-      const double share = heights[i] / (heights[i] - heights[next]);
-      polygon.Corners[polygon.Count++] = triangle[i] + share * (triangle[next] - triangle[i]);
+      const double fraction = heights[i] / (heights[i] - heights[next]);
+      polygon.Corners[polygon.Count++] = triangle[i] + fraction * (triangle[next] - triangle[i]);
     }
   }
   return polygon;

@@ -14,16 +14,16 @@ constexpr vtkIdType trianglesPerLeaf = 8;
 constexpr vtkIdType fanOut = 4;
 constexpr vtkIdType mostRoots = 2048; ///< nodes that are searched side by side
 /// Occluders are cut to edges of the square root of this share of their area, so that few large triangles make enough parts.
-constexpr double areaShare = 1.0 / 3000.0;
+constexpr double areaFraction = 1.0 / 3000.0;
 /// Where cones hold a part of a triangle, edges are cut to this share of the largest base radius there.
-constexpr double radiusShare = 0.35;
-/// Parts near a light are cut to this share of their distance from it, and no finer than nearestShare of the light's radius.
-constexpr double distanceShare = 0.5;
-constexpr double nearestShare = 1.0 / 64.0;
+constexpr double radiusFraction = 0.35;
+/// Parts near a light are cut to this share of their distance from it, and no finer than nearestFraction of the light's radius.
+constexpr double distanceFraction = 0.5;
+constexpr double nearestFraction = 1.0 / 64.0;
 /// No part is cut finer than this share of what is fine enough far from the light.
-constexpr double smallestShare = 1.0 / 1024.0;
+constexpr double smallestFraction = 1.0 / 1024.0;
 /// A part of the light is halved before occluders that come nearer than this share of its radius.
-constexpr double halvingShare = 0.5;
+constexpr double halvingFraction = 0.5;
 
 /// Every third bit of a word is one of @p x's 21.
 std::uint64_t SpreadBits(std::uint64_t x)
@@ -59,21 +59,6 @@ int LongestEdge(const std::array<Vector3, 3>& corners)
   return longest;
 }
 } // anonymous namespace
-
-double ProofMargins::At(const Vector3& point) const
-{
-  const Vector3 offset = point - this->Center;
-  return this->Least + this->Place * std::max({ std::abs(offset.X), std::abs(offset.Y), std::abs(offset.Z) });
-}
-
-ProofMargins ProofMarginsOf(const Box& bounds)
-{
-  ProofMargins margins;
-  margins.Center = bounds.Empty() ? Vector3{} : bounds.Center();
-  margins.Place = 5e-7;
-  margins.Least = 1.5e-7 * bounds.Diagonal();
-  return margins;
-}
 
 /// Descends the nodes over the triangles with the cones that may hold a part of what is there.
 class OccluderParts::Search
@@ -139,14 +124,14 @@ public:
 private:
   bool TakeHalves(const LightPart& part, const Vector3& center, double radius) const
   {
-    return part.Halves[0] >= 0 && part.Distance(center) - radius < halvingShare * part.Radius;
+    return part.Halves[0] >= 0 && part.Distance(center) - radius < halvingFraction * part.Radius;
   }
 
   /// The cones that may hold a point of the ball. @return true where one holds all of it.
   bool Filter(const LightPart& part, const Vector3& center, double radius, const std::vector<int>& candidates,
     std::vector<int>& left) const
   {
-    const double margin = this->Parts.Margin.At(center) + this->Parts.Margin.Place * radius;
+    const double margin = this->Parts.Margin.At(center) + this->Parts.Margin.Relative * radius;
     for (const int k : candidates)
     {
       const BoundingCone& cone = this->Cones[k];
@@ -181,12 +166,12 @@ private:
     }
     if (base > 0.0)
     {
-      largest = std::min(largest, std::max(radiusShare * base, 0.1 * largest));
+      largest = std::min(largest, std::max(radiusFraction * base, 0.1 * largest));
     }
     const double distance = std::max(0.0, part.Distance(center) - radius);
-    const double least =
-      std::max({ nearestShare * part.Radius, smallestShare * this->Parts.LargestEdge, 8.0 * this->Parts.Margin.At(center) });
-    return std::max(least, std::min(largest, distanceShare * distance));
+    const double least = std::max({ nearestFraction * part.Radius, smallestFraction * this->Parts.LargestEdge,
+      8.0 * this->Parts.Margin.At(center) });
+    return std::max(least, std::min(largest, distanceFraction * distance));
   }
 
   void Piece(const OccluderPart& piece, const std::vector<int>& candidates)
@@ -250,7 +235,7 @@ OccluderParts::OccluderParts(const TriangleMeshView& mesh, const Light& light, c
     const auto corners = CornersOf(mesh, i);
     area += 0.5 * Length(Cross(corners[1] - corners[0], corners[2] - corners[0]));
   }
-  this->LargestEdge = std::sqrt(areaShare * area);
+  this->LargestEdge = std::sqrt(areaFraction * area);
   this->BuildNodes();
 }
 

@@ -9,27 +9,15 @@
 #include "scBoundingCone.h"
 #include "scFlatFace.h"
 #include "scLightParts.h"
-#include "scOccluderScene.h"
 #include "scParallel.h"
+#include "scProofMargins.h"
+#include "scTriangleMesh.h"
 
 #include <array>
 #include <vector>
 
 namespace shadowcones
 {
-
-/// What the ray engine may see of a mesh in other places than it is: see ProofMargins.
-struct ProofMargins
-{
-  Vector3 Center;     ///< of the mesh's bounds
-  double Place = 0.0; ///< share of a point's largest distance from Center along an axis
-  double Least = 0.0; ///< world units
-
-  double At(const Vector3& point) const;
-};
-
-/// Margins for rays on a mesh within the bounds.
-ProofMargins ProofMarginsOf(const Box& bounds);
 
 /// A piece of a triangle before a part of the light.
 struct OccluderPart

@@ -6,7 +6,7 @@
 #ifndef scVolumeSample_h
 #define scVolumeSample_h
 
-#include "scConeSet.h"
+#include "scCone.h"
 
 #include <vector>
 

@@ -32,7 +32,7 @@ SurfelVisibility::SurfelVisibility(
   : Light(light)
   , Tree(ConeTree::OverSlices({}, bounds, HUGE_VAL))
 {
-  const LightExtent extent = LightExtentOf(light.Source());
+  const LightExtent extent = LightExtentOf(light.Lamp());
   for (const Cone& cone : cones)
   {
     if (!(cone.BaseRadius > 0.0))
@@ -44,7 +44,7 @@ SurfelVisibility::SurfelVisibility(
     this->Surfels.push_back(
       { cone.Center, cone.Normal, cone.BaseRadius, tolerance * cone.BaseRadius, cone.OccluderId });
     Cone penumbra;
-    if (PenumbraOf(cone, light.Source(), extent, penumbra))
+    if (PenumbraOf(cone, light.Lamp(), extent, penumbra))
     {
       this->Penumbrae.push_back(penumbra);
       this->Tangents.push_back(std::tan(penumbra.HalfAngle));
@@ -101,7 +101,7 @@ void SurfelVisibility::HideBySurfel(
   if (!view.A)
   {
     const GeneralSurfel general{ { q.X, q.Y, q.Z }, { surfel.Normal.X, surfel.Normal.Y, surfel.Normal.Z }, height,
-      square, IsAtInfinity(this->Light.Source()) ? 0.0 : 1.0 };
+      square, IsAtInfinity(this->Light.Lamp()) ? 0.0 : 1.0 };
     for (std::size_t block = 0; block < masks.NumberOfBlocks; ++block)
     {
       words[block] |=
@@ -110,7 +110,7 @@ void SurfelVisibility::HideBySurfel(
     return;
   }
   // E and n.w are linear in the light's plane.
-  const Vector3 toCenter = this->Light.Source().Center - point;
+  const Vector3 toCenter = this->Light.Lamp().Center - point;
   const double s0 = Dot(surfel.Normal, toCenter);
   const double s1 = Dot(surfel.Normal, this->Light.AxisU());
   const double s2 = Dot(surfel.Normal, this->Light.AxisV());

@@ -6,51 +6,16 @@
 #ifndef scSurfelVisibility_h
 #define scSurfelVisibility_h
 
-#include "scConeSet.h"
+#include "scCone.h"
 #include "scConeTree.h"
+#include "scLightExtent.h"
 #include "scLightPatterns.h"
+#include "scOccluderMasks.h"
 
 #include <vector>
 
 namespace shadowcones
 {
-
-/// Light samples that each occluder hides from one point; reused from point to point. One a thread.
-struct OccluderMasks
-{
-  std::size_t NumberOfBlocks = 0;
-  std::vector<int> OccluderIds;
-  LightMask Words; ///< NumberOfBlocks an occluder
-  std::size_t Last = 0;
-
-  void Reset(std::size_t numberOfBlocks)
-  {
-    this->NumberOfBlocks = numberOfBlocks;
-    this->OccluderIds.clear();
-    this->Words.clear();
-  }
-  /// The words of an occluder, added where it is new.
-  std::uint64_t* Of(int occluderId)
-  {
-    // The last one first: neighbours in a tree mostly belong to the same occluder.
-    std::size_t i = this->Last;
-    if (i >= this->OccluderIds.size() || this->OccluderIds[i] != occluderId)
-    {
-      i = 0;
-      while (i < this->OccluderIds.size() && this->OccluderIds[i] != occluderId)
-      {
-        ++i;
-      }
-      if (i == this->OccluderIds.size())
-      {
-        this->OccluderIds.push_back(occluderId);
-        this->Words.resize(this->Words.size() + this->NumberOfBlocks, 0);
-      }
-      this->Last = i;
-    }
-    return this->Words.data() + i * this->NumberOfBlocks;
-  }
-};
 
 /**
  * A cone that holds the whole shadow of a disc under the light. The disc may be tilted: the base of the cone goes

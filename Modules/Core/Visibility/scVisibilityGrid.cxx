@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scVisibilityGrid.h"
 
-#include "scConeIntervals.h"
+#include "scBits.h"
+#include "scConeHierarchy.h"
 #include "scLampPlane.h"
 #include "scLightPatterns.h"
 #include "scSurfelVisibility.h"
+#include "scTrilinear.h"
 
 #include <algorithm>
 #include <atomic>
@@ -17,33 +19,25 @@ namespace shadowcones
 {
 namespace
 {
-/// Where in a cell, or brick, a coordinate lies: the vertex before it and the share of the way to the next one.
-struct Place
+/// Where along an axis of a grid, or brick, a coordinate lies: the vertex before it and the fraction of the way to the next.
+struct CellCoordinate
 {
   int Index;
-  double Share;
+  double Fraction;
 
-  Place(double coordinate, int vertices)
+  CellCoordinate(double coordinate, int vertices)
     : Index(std::clamp(static_cast<int>(coordinate), 0, vertices - 2))
-    , Share(std::clamp(coordinate - this->Index, 0.0, 1.0))
+    , Fraction(std::clamp(coordinate - this->Index, 0.0, 1.0))
   {
   }
 };
 
 /// @param values of a grid with @p nx, @p ny vertices along x and y.
-double Trilinear(const float* values, std::size_t nx, std::size_t ny, const Place& x, const Place& y, const Place& z)
+double ValueAt(const float* values, std::size_t nx, std::size_t ny, const CellCoordinate& x, const CellCoordinate& y,
+  const CellCoordinate& z)
 {
-  double sum = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const int i = corner & 1;
-    const int j = (corner >> 1) & 1;
-    const int k = corner >> 2;
-    const std::size_t at = (static_cast<std::size_t>(z.Index + k) * ny + static_cast<std::size_t>(y.Index + j)) * nx +
-      static_cast<std::size_t>(x.Index + i);
-    sum += values[at] * (i ? x.Share : 1.0 - x.Share) * (j ? y.Share : 1.0 - y.Share) * (k ? z.Share : 1.0 - z.Share);
-  }
-  return sum;
+  const auto at = [](const CellCoordinate& c) { return static_cast<std::size_t>(c.Index); };
+  return Trilinear(values + (at(z) * ny + at(y)) * nx + at(x), 1, nx, nx * ny, x.Fraction, y.Fraction, z.Fraction);
 }
 
 /// The whole shadow of a base disc; of a disc next to the light, as wide as can be.
@@ -111,8 +105,9 @@ public:
       return false;
     }
     rays += this->Scene ? open : 0;
-    fraction = static_cast<float>(static_cast<double>(open - hidden) / open);
-    shadow = hidden == 0 ? ShadowClass::Lit : (hidden == open ? ShadowClass::Umbra : ShadowClass::Penumbra);
+    const SeenSamples seen{ open, open - hidden };
+    fraction = static_cast<float>(seen.Fraction());
+    shadow = seen.Class();
     return true;
   }
 
@@ -189,7 +184,7 @@ public:
   Filler(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene, const Box& bounds,
     const VisibilityGridOptions& options, VisibilityGrid& grid)
     : Cones(cones)
-    , Source(light)
+    , Lamp(light)
     , Options(options)
     , Grid(grid)
     , Asked(cones, light, scene, bounds, options)
@@ -242,7 +237,7 @@ private:
   }
 
   const std::vector<Cone>& Cones;
-  const Light& Source;
+  const Light& Lamp;
   const VisibilityGridOptions& Options;
   VisibilityGrid& Grid;
   Sampler Asked;
@@ -254,11 +249,11 @@ bool Filler::Mark(const Box& bounds, const Monitor& monitor)
 {
   // Cones thinner than a cell are widened until they hold a vertex of every cell they pass.
   const double least = 0.5 * Length(this->Grid.Spacing);
-  const LightExtent extent = LightExtentOf(this->Source);
+  const LightExtent extent = LightExtentOf(this->Lamp);
   std::vector<Cone> reach;
   for (const Cone& cone : this->Cones)
   {
-    reach.push_back(this->Options.Method == VisibilityMethod::Soft ? WidePenumbraOf(cone, this->Source, extent) : cone);
+    reach.push_back(this->Options.Method == VisibilityMethod::Soft ? WidePenumbraOf(cone, this->Lamp, extent) : cone);
     reach.back().BaseRadius = std::max(reach.back().BaseRadius, least);
   }
   // Vertices on the faces of the box belong to it, whatever the rounding.
@@ -471,12 +466,13 @@ void Filler::Split(const std::vector<Part>& parts, int step, int smaller, std::v
         {
           unresolved.push_back({ part.Brick, { a0, b0, c0 } });
         }
-        const auto share = [smaller](int from, int to) { return Place(static_cast<double>(to - from) / smaller, 2); };
+        const auto within = [smaller](int from, int to)
+        { return CellCoordinate(static_cast<double>(to - from) / smaller, 2); };
         ForEachPoint({ a0, b0, c0 }, smaller, 1,
           [&](int a, int b, int c)
           {
             this->BrickValue(part.Brick, a, b, c) =
-              static_cast<float>(Trilinear(corners, 2, 2, share(a0, a), share(b0, b), share(c0, c)));
+              static_cast<float>(ValueAt(corners, 2, 2, within(a0, a), within(b0, b), within(c0, c)));
           });
       });
   }
@@ -520,22 +516,22 @@ double VisibilityAt(const VisibilityGrid& grid, const Vector3& point)
       return 1.0;
     }
   }
-  const Place x(at[0], grid.Dimensions[0]);
-  const Place y(at[1], grid.Dimensions[1]);
-  const Place z(at[2], grid.Dimensions[2]);
+  const CellCoordinate x(at[0], grid.Dimensions[0]);
+  const CellCoordinate y(at[1], grid.Dimensions[1]);
+  const CellCoordinate z(at[2], grid.Dimensions[2]);
   const vtkIdType cell = grid.CellIndex(x.Index, y.Index, z.Index);
   const auto found = std::lower_bound(grid.BrickCells.begin(), grid.BrickCells.end(), cell);
   if (found == grid.BrickCells.end() || *found != cell)
   {
-    return Trilinear(grid.Visibility.data(), static_cast<std::size_t>(grid.Dimensions[0]),
+    return ValueAt(grid.Visibility.data(), static_cast<std::size_t>(grid.Dimensions[0]),
       static_cast<std::size_t>(grid.Dimensions[1]), x, y, z);
   }
   const auto side = static_cast<std::size_t>(grid.BrickParts) + 1;
   const float* brick =
     grid.BrickVisibility.data() + static_cast<std::size_t>(found - grid.BrickCells.begin()) * side * side * side;
   const int vertices = grid.BrickParts + 1;
-  return Trilinear(brick, side, side, Place(x.Share * grid.BrickParts, vertices),
-    Place(y.Share * grid.BrickParts, vertices), Place(z.Share * grid.BrickParts, vertices));
+  return ValueAt(brick, side, side, CellCoordinate(x.Fraction * grid.BrickParts, vertices),
+    CellCoordinate(y.Fraction * grid.BrickParts, vertices), CellCoordinate(z.Fraction * grid.BrickParts, vertices));
 }
 
 const char* CheckVisibilityGridOptions(const VisibilityGridOptions& options)

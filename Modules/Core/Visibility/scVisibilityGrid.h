@@ -7,7 +7,8 @@
 #define scVisibilityGrid_h
 
 #include "ShadowConesCoreModule.h"
-#include "scConeSet.h"
+#include "scBox.h"
+#include "scCone.h"
 #include "scLight.h"
 #include "scOccluderScene.h"
 #include "scParallel.h"

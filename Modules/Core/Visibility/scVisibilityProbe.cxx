@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scVisibilityProbe.h"
 
-#include "scConeIntervals.h"
+#include "scBits.h"
+#include "scConeHierarchy.h"
 #include "scLampPlane.h"
 #include "scLightPatterns.h"
 #include "scSurfelVisibility.h"
@@ -31,6 +32,46 @@ Box Grown(Box box)
   box.Max = box.Max + Vector3{ margin, margin, margin };
   return box;
 }
+
+/// The occluder that hides most samples, the smallest id of several; -1: none hides any.
+int MainOccluder(const Scratch& scratch)
+{
+  const std::size_t blocks = scratch.Masks.NumberOfBlocks;
+  int found = -1;
+  int most = 0;
+  for (std::size_t i = 0; i < scratch.Masks.OccluderIds.size(); ++i)
+  {
+    int hidden = 0;
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+      hidden += CountBits(scratch.Masks.Words[i * blocks + block] & scratch.Above[block]);
+    }
+    const int id = scratch.Masks.OccluderIds[i];
+    if (hidden > most || (hidden == most && hidden > 0 && id < found))
+    {
+      most = hidden;
+      found = id;
+    }
+  }
+  return found;
+}
+
+/// Samples that neither the point's own surface nor an occluder hides.
+int CountVisible(const Scratch& scratch)
+{
+  const std::size_t blocks = scratch.Masks.NumberOfBlocks;
+  int visible = 0;
+  for (std::size_t block = 0; block < blocks; ++block)
+  {
+    std::uint64_t hidden = 0;
+    for (std::size_t i = 0; i < scratch.Masks.OccluderIds.size(); ++i)
+    {
+      hidden |= scratch.Masks.Words[i * blocks + block];
+    }
+    visible += CountBits(scratch.Above[block] & ~hidden);
+  }
+  return visible;
+}
 } // anonymous namespace
 
 struct VisibilityProbe::Implementation
@@ -56,10 +97,32 @@ struct VisibilityProbe::Implementation
   /// 1: all of the light is above the surface; -1: all of it is below; 0: neither, or not known.
   int SideOf(const Vector3& point, const Vector3& normal) const
   {
-    const Light& light = this->Patterns.Source();
+    const Light& light = this->Patterns.Lamp();
     const double height = this->AtInfinity ? -Dot(normal, light.Normal) : Dot(normal, this->Center - point);
     const double reach = this->AtInfinity ? std::sin(light.Radius) : this->Radius;
     return height > reach ? 1 : (height < -reach ? -1 : 0);
+  }
+
+  /// Can an occluder hide anything from the point? Lists the discs that may.
+  bool MayBeShadowed(const Vector3& point, Scratch& scratch) const
+  {
+    if (this->Surfels)
+    {
+      this->Surfels->Find(point, scratch.Discs);
+      return !scratch.Discs.empty();
+    }
+    return this->Scene && this->Bounds->Contains(point);
+  }
+
+  /// Drop the samples below the point's own surface.
+  void DropBelow(const Vector3& normal, Scratch& scratch) const
+  {
+    for (int k = 0; k < this->Patterns.Count(); ++k)
+    {
+      const Vector3 to{ scratch.View.X[k], scratch.View.Y[k], scratch.View.Z[k] };
+      const std::uint64_t below = Dot(to, normal) > 0.0 ? 0 : 1;
+      scratch.Above[k / 64] &= ~(below << (k % 64));
+    }
   }
 
   /// Add what the mesh hides of the samples in @p wanted.
@@ -112,33 +175,23 @@ PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal)
 {
   thread_local Scratch scratch;
   const Implementation& impl = *this->Impl;
-  const std::size_t blocks = impl.Patterns.NumberOfBlocks();
   PointVisibility result;
 
   // Where nothing can be in the way no sample is taken.
   const int side = normal ? impl.SideOf(point, *normal) : 1;
-  bool shadowed = false;
-  if (impl.Surfels)
-  {
-    impl.Surfels->Find(point, scratch.Discs);
-    shadowed = !scratch.Discs.empty();
-  }
-  else
-  {
-    shadowed = impl.Scene && impl.Bounds->Contains(point);
-  }
+  const bool shadowed = impl.MayBeShadowed(point, scratch);
   if (side > 0 && !shadowed && impl.Patterns.IsWholeFrom(point))
   {
     return result;
   }
 
   impl.Patterns.LookFrom(point, scratch.View);
-  int open = 0;
+  SeenSamples seen;
   for (const std::uint64_t word : scratch.View.Open)
   {
-    open += CountBits(word);
+    seen.Emitting += CountBits(word);
   }
-  if (open == 0 || side < 0)
+  if (seen.Emitting == 0 || side < 0)
   {
     result.Fraction = 0.0;
     result.Class = ShadowClass::Umbra;
@@ -148,15 +201,9 @@ PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal)
   scratch.Above = scratch.View.Open;
   if (side == 0)
   {
-    for (int k = 0; k < impl.Patterns.Count(); ++k)
-    {
-      const Vector3 to{ scratch.View.X[k], scratch.View.Y[k], scratch.View.Z[k] };
-      const std::uint64_t below = Dot(to, *normal) > 0.0 ? 0 : 1;
-      scratch.Above[k / 64] &= ~(below << (k % 64));
-    }
+    impl.DropBelow(*normal, scratch);
   }
-
-  scratch.Masks.Reset(blocks);
+  scratch.Masks.Reset(impl.Patterns.NumberOfBlocks());
   if (shadowed && impl.Surfels)
   {
     impl.Surfels->Hide(point, scratch.Discs, scratch.View, scratch.Masks);
@@ -165,39 +212,15 @@ PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal)
   {
     impl.Trace(point, scratch.Above, scratch);
   }
+  seen.Visible = CountVisible(scratch);
 
-  int most = 0;
-  for (std::size_t i = 0; i < scratch.Masks.OccluderIds.size(); ++i)
-  {
-    int hidden = 0;
-    for (std::size_t block = 0; block < blocks; ++block)
-    {
-      hidden += CountBits(scratch.Masks.Words[i * blocks + block] & scratch.Above[block]);
-    }
-    const int id = scratch.Masks.OccluderIds[i];
-    if (hidden > most || (hidden == most && hidden > 0 && id < result.OccluderId))
-    {
-      most = hidden;
-      result.OccluderId = id;
-    }
-  }
-  int visible = 0;
-  for (std::size_t block = 0; block < blocks; ++block)
-  {
-    std::uint64_t hidden = 0;
-    for (std::size_t i = 0; i < scratch.Masks.OccluderIds.size(); ++i)
-    {
-      hidden |= scratch.Masks.Words[i * blocks + block];
-    }
-    visible += CountBits(scratch.Above[block] & ~hidden);
-  }
-
-  result.Fraction = static_cast<double>(visible) / open;
-  result.Class = visible == open ? ShadowClass::Lit : (visible == 0 ? ShadowClass::Umbra : ShadowClass::Penumbra);
+  result.OccluderId = MainOccluder(scratch);
+  result.Fraction = seen.Fraction();
+  result.Class = seen.Class();
   if ((shadowed || side == 0) && !impl.Patterns.IsExact())
   {
-    const double p = (visible + 0.5) / (open + 1.0);
-    result.Error = std::sqrt(p * (1.0 - p) / open);
+    const double p = (seen.Visible + 0.5) / (seen.Emitting + 1.0);
+    result.Error = std::sqrt(p * (1.0 - p) / seen.Emitting);
   }
   return result;
 }

@@ -7,10 +7,11 @@
 #define scVisibilityProbe_h
 
 #include "ShadowConesCoreModule.h"
-#include "scConeSet.h"
+#include "scCone.h"
 #include "scLight.h"
 #include "scOccluderScene.h"
 #include "scParallel.h"
+#include "scShadowClass.h"
 
 #include <cstdint>
 #include <memory>
@@ -23,14 +24,6 @@ enum class VisibilityMethod : int
 {
   Exact = 0, ///< rays to the light, for points inside cones only
   Soft = 1   ///< the base discs of the cones are the occluders; no mesh
-};
-
-/// Values of "ShadowClass".
-enum class ShadowClass : unsigned char
-{
-  Lit = 0,
-  Penumbra = 1,
-  Umbra = 2
 };
 
 struct VisibilityOptions

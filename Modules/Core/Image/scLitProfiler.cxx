@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scLitProfiler.h"
+
+#include "scGaussLegendre.h"
+#include "scLitKernel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shadowcones
+{
+namespace
+{
+constexpr int cells = LitProfileLayout::Cells;
+constexpr int nodes = 8; ///< a panel
+
+/// Integrals over cells from values at the nodes of a panel, for every number of panels; over a panel of width 1.
+struct PanelRules
+{
+  PanelRules()
+    : Rule(nodes)
+  {
+    for (int level = 0; level < LitQuadrature::NumberOfPanelLevels; ++level)
+    {
+      const int count = cells >> level;
+      this->Matrices[level].resize(static_cast<std::size_t>(count * nodes));
+      for (int cell = 0; cell < count; ++cell)
+      {
+        for (int j = 0; j < nodes; ++j)
+        {
+          // The j-th Lagrange polynomial over the cell, by the same rule: exact.
+          double sum = 0.0;
+          for (int k = 0; k < nodes; ++k)
+          {
+            const double x = (cell + this->Rule.Nodes[k]) / count;
+            double value = this->Rule.Weights[k] / count;
+            for (int m = 0; m < nodes; ++m)
+            {
+              value *= m == j ? 1.0 : (x - this->Rule.Nodes[m]) / (this->Rule.Nodes[j] - this->Rule.Nodes[m]);
+            }
+            sum += value;
+          }
+          this->Matrices[level][static_cast<std::size_t>(cell * nodes + j)] = sum;
+        }
+      }
+    }
+  }
+
+  GaussLegendre Rule;
+  GaussLegendre CellRule{ 2 }; ///< of one cell where a density varies
+  std::array<std::vector<double>, LitQuadrature::NumberOfPanelLevels> Matrices;
+};
+
+const PanelRules& Panels()
+{
+  static const PanelRules rules;
+  return rules;
+}
+} // anonymous namespace
+
+LitProfiler::LitProfiler(const LitQuadrature& quadrature)
+  : Quadrature(quadrature)
+  , OpticalDepth(quadrature.Air)
+{
+  Panels();
+}
+
+int LitProfiler::NumberOfEvaluations(const LitQuadrature& quadrature, const LitLevel& level)
+{
+  return (nodes << level.Panels) * quadrature.Rules[static_cast<std::size_t>(level.Rule)].Count();
+}
+
+void LitProfiler::Evaluate(const Ray& ray, const LitInterval& interval, const LitLevel& level, float* values)
+{
+  std::fill(values, values + this->Quadrature.Layout.Size(), 0.0f);
+  this->OpticalDepth.SetRay(ray.Origin, ray.Direction, interval.MediumBegin, interval.End);
+  const bool homogeneous = this->OpticalDepth.IsHomogeneous();
+  const LitVariable variable(this->Quadrature, ray, interval, homogeneous ? nullptr : &this->OpticalDepth);
+  std::array<double, cells + 1> edges;
+  variable.FillEdges(edges.data());
+  for (int k = 0; k <= cells; ++k)
+  {
+    values[k] = static_cast<float>(edges[static_cast<std::size_t>(k)] - interval.Begin);
+  }
+  if (!homogeneous)
+  {
+    this->IntegrateDensity(ray, variable, edges.data(), level, values);
+    return;
+  }
+
+  const int groups = this->Quadrature.Groups.Count();
+  const PanelRules& rules = Panels();
+  const int panelLevel = interval.HasGap ? std::max(level.Panels, 1) : level.Panels; // no panel reaches across a gap
+  const int panels = 1 << panelLevel;
+  const int perPanel = cells / panels;
+  const std::vector<double>& matrix = rules.Matrices[static_cast<std::size_t>(panelLevel)];
+  this->Nodes.resize(static_cast<std::size_t>(nodes * groups));
+  for (int panel = 0; panel < panels; ++panel)
+  {
+    std::fill(this->Nodes.begin(), this->Nodes.end(), 0.0);
+    for (int j = 0; j < nodes; ++j)
+    {
+      const double coordinate = perPanel * (panel + rules.Rule.Nodes[j]);
+      const double t = variable.DistanceAt(coordinate);
+      this->AddNode(ray, t, perPanel * variable.Flattened(t, coordinate), level,
+        this->Nodes.data() + static_cast<std::size_t>(j * groups));
+    }
+    for (int g = 0; g < groups; ++g)
+    {
+      float* cell = values + LitProfileLayout::Edges + g * cells + panel * perPanel;
+      for (int k = 0; k < perPanel; ++k)
+      {
+        double sum = 0.0;
+        for (int j = 0; j < nodes; ++j)
+        {
+          sum +=
+            matrix[static_cast<std::size_t>(k * nodes + j)] * this->Nodes[static_cast<std::size_t>(j * groups + g)];
+        }
+        cell[k] = static_cast<float>(sum);
+      }
+    }
+  }
+}
+
+void LitProfiler::IntegrateDensity(
+  const Ray& ray, const LitVariable& variable, const double* edges, const LitLevel& level, float* values)
+{
+  // Two Gauss nodes a cell in the optical depth instead of the distance: a layer that is thinner than a cell
+  // counts in full, and where it lies.
+  const GaussLegendre& rule = Panels().CellRule;
+  const int groups = this->Quadrature.Groups.Count();
+  this->Nodes.resize(static_cast<std::size_t>(groups));
+  for (int k = 0; k < cells; ++k)
+  {
+    const double end = variable.IsGap(k + 1) ? variable.DistanceAt(k + 1) : edges[k + 1];
+    const double low = std::min(edges[k], end);
+    const double high = std::max(edges[k], end);
+    const double before = this->OpticalDepth.Along(low);
+    const double depth = this->OpticalDepth.Along(high) - before;
+    if (!(depth > 0.0))
+    {
+      continue;
+    }
+    std::fill(this->Nodes.begin(), this->Nodes.end(), 0.0);
+    for (int j = 0; j < 2; ++j)
+    {
+      const double wanted = before + rule.Nodes[j] * depth;
+      double from = low;
+      double to = high;
+      for (int step = 0; step < 24; ++step)
+      {
+        const double between = 0.5 * (from + to);
+        (this->OpticalDepth.Along(between) < wanted ? from : to) = between;
+      }
+      this->AddNode(ray, 0.5 * (from + to), 0.5 * depth / std::fabs(variable.CellFactor()), level, this->Nodes.data());
+    }
+    for (int g = 0; g < groups; ++g)
+    {
+      values[LitProfileLayout::Edges + g * cells + k] = static_cast<float>(this->Nodes[static_cast<std::size_t>(g)]);
+    }
+  }
+}
+
+void LitProfiler::AddNode(const Ray& ray, double t, double factor, const LitLevel& level, double* value)
+{
+  const LitQuadrature& quadrature = this->Quadrature;
+  const Vector3 point = ray.Origin + t * ray.Direction;
+  const double cameraLeg = this->OpticalDepth.Along(t);
+  const LightRule& coarse = quadrature.Rules[static_cast<std::size_t>(level.Rule)];
+  const int rule = std::min(level.Rule + coarse.LevelsNearer(point), LightRule::NumberOfLevels - 1);
+  const LightRule& light = quadrature.Rules[static_cast<std::size_t>(rule)];
+  if (this->OpticalDepth.IsHomogeneous() && light.IsByArea(point))
+  {
+    this->AddLightPoints(light, point, ray.Direction, cameraLeg, factor, value);
+    return;
+  }
+  light.ForEach(point,
+    [&](const IncidentSample& sample) { this->AddSample(sample, point, ray.Direction, cameraLeg, factor, value); });
+}
+
+void LitProfiler::AddSample(const IncidentSample& sample, const Vector3& point, const Vector3& direction,
+  double cameraLeg, double factor, double* value)
+{
+  const ExtinctionGroups& groups = this->Quadrature.Groups;
+  const double source =
+    factor * sample.Weight * EvaluatePhaseFunction(this->Quadrature.Air.Phase, Dot(sample.Direction, direction));
+  const double depth = cameraLeg + this->OpticalDepth.Towards(point, sample.Direction, sample.Distance);
+  for (int g = 0; g < groups.Count(); ++g)
+  {
+    value[g] += source * TransmittanceOver(groups.SigmaT[static_cast<std::size_t>(g)], depth);
+  }
+}
+
+void LitProfiler::AddLightPoints(
+  const LightRule& rule, const Vector3& point, const Vector3& direction, double cameraLeg, double factor, double* value)
+{
+  const Medium& medium = this->Quadrature.Air;
+  const LightPoints points = rule.AreaPoints();
+  const auto count = static_cast<std::size_t>(points.Count);
+  this->Weights.resize(count);
+  this->Cosines.resize(count);
+  this->Legs.resize(count);
+  LookAtLight(points, rule.ViewFrom(point, direction, medium.Bounds), this->Weights.data(), this->Cosines.data(),
+    this->Legs.data());
+  rule.FindNear(point, this->NearSamples, this->ReplacedPoints);
+  for (const IncidentSample& sample : this->NearSamples)
+  {
+    this->AddSample(sample, point, direction, cameraLeg, factor, value);
+  }
+  for (std::size_t k = 0; k < this->ReplacedPoints.size(); k += 2)
+  {
+    std::fill(this->Weights.begin() + static_cast<std::ptrdiff_t>(this->ReplacedPoints[k]),
+      this->Weights.begin() + static_cast<std::ptrdiff_t>(this->ReplacedPoints[k + 1]), 0.0f);
+  }
+  const bool isotropic = medium.Phase.Kind == PhaseFunctionKind::Isotropic;
+  const double scale = isotropic ? factor * EvaluatePhaseFunction(medium.Phase, 1.0) : factor;
+  for (std::size_t k = 0; k < count && !isotropic; ++k)
+  {
+    this->Weights[k] *= static_cast<float>(EvaluatePhaseFunction(medium.Phase, static_cast<double>(this->Cosines[k])));
+  }
+  const ExtinctionGroups& groups = this->Quadrature.Groups;
+  for (int g = 0; g < groups.Count(); ++g)
+  {
+    const double sigmaT = groups.SigmaT[static_cast<std::size_t>(g)];
+    const float sum = SumAttenuated(this->Weights.data(), this->Legs.data(), points.Count, static_cast<float>(sigmaT));
+    value[g] += scale * TransmittanceOver(sigmaT, cameraLeg) * static_cast<double>(sum);
+  }
+}
+
+} // namespace shadowcones

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scLitProfiler.h
+ * @brief Computes the unshadowed medium term along camera rays. Internal to Core.
+ */
+#ifndef scLitProfiler_h
+#define scLitProfiler_h
+
+#include "scLightRule.h"
+#include "scLightSampling.h"
+#include "scLitInterval.h"
+#include "scLitQuadrature.h"
+#include "scLitVariable.h"
+#include "scMediumOpticalDepth.h"
+#include "scRay.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace shadowcones
+{
+
+/// Computes profiles; one a thread.
+class LitProfiler
+{
+public:
+  explicit LitProfiler(const LitQuadrature& quadrature);
+  /// Light points looked at from all nodes of a ray.
+  static int NumberOfEvaluations(const LitQuadrature& quadrature, const LitLevel& level);
+  /// @param values LitProfileLayout::Size() floats.
+  void Evaluate(const Ray& ray, const LitInterval& interval, const LitLevel& level, float* values);
+
+private:
+  void IntegrateDensity(
+    const Ray& ray, const LitVariable& variable, const double* edges, const LitLevel& level, float* values);
+  /// Add what the light sends by way of the point at @p t to the camera, per unit of length and density, times a
+  /// factor.
+  void AddNode(const Ray& ray, double t, double factor, const LitLevel& level, double* value);
+  void AddSample(const IncidentSample& sample, const Vector3& point, const Vector3& direction, double cameraLeg,
+    double factor, double* value);
+  void AddLightPoints(const LightRule& rule, const Vector3& point, const Vector3& direction, double cameraLeg,
+    double factor, double* value);
+
+  const LitQuadrature& Quadrature;
+  MediumOpticalDepth OpticalDepth;
+  std::vector<double> Nodes;  ///< integrand at the nodes of one panel, group by group
+  std::vector<float> Weights; ///< of light points
+  std::vector<float> Cosines;
+  std::vector<float> Legs;
+  std::vector<IncidentSample> NearSamples; ///< of a mesh
+  std::vector<std::size_t> ReplacedPoints;
+};
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scRenderScattering.h"
+
+#include "scMediumTerm.h"
+#include "scPrimaryHits.h"
+#include "scRenderContext.h"
+#include "scShadingScene.h"
+#include "scSurfaceShader.h"
+#include "scTileRange.h"
+#include "scVisibleLight.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+
+namespace shadowcones
+{
+namespace
+{
+void Allocate(const std::array<int, 4>& extent, std::size_t wavelengths, ScatteringImage& image)
+{
+  const auto columns = static_cast<std::size_t>(extent[1] - extent[0] + 1);
+  const auto rows = static_cast<std::size_t>(extent[3] - extent[2] + 1);
+  const std::size_t pixels = columns * rows;
+  image.Extent = extent;
+  image.NumberOfWavelengths = static_cast<int>(wavelengths);
+  image.Radiance.assign(pixels * wavelengths, 0.0f);
+  image.InScattering.assign(pixels * wavelengths, 0.0f);
+  image.SurfaceRadiance.assign(pixels * wavelengths, 0.0f);
+  image.Transmittance.assign(pixels * wavelengths, 1.0f);
+  image.Depth.assign(pixels, -1.0f);
+  image.RelativeError.assign(pixels, 0.0f);
+  image.MediumError.assign(pixels, 0.0f);
+  image.SampleCount.assign(pixels, 0);
+  image.NumberOfOcclusionRays = 0;
+  image.NumberOfThickRays = 0;
+  image.MarchOpticalDepth = 0.0;
+}
+
+/// One a light; none where the camera is not to see them.
+std::vector<VisibleLight> VisibleLights(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options)
+{
+  std::vector<VisibleLight> lights;
+  for (std::size_t k = 0; options.LightVisible && k < scenes.size(); ++k)
+  {
+    lights.emplace_back(scenes[k].Light);
+  }
+  return lights;
+}
+
+/// Adds up the medium terms of lights.
+class MediumSum
+{
+public:
+  void Add(const ScatteringImage& term)
+  {
+    const std::size_t pixels = term.RelativeError.size();
+    const auto wavelengths = static_cast<std::size_t>(term.NumberOfWavelengths);
+    this->InScattering.resize(pixels * wavelengths, 0.0);
+    this->Errors.resize(pixels, 0.0);
+    this->Samples.resize(pixels, 0);
+    std::transform(this->InScattering.begin(), this->InScattering.end(), term.InScattering.begin(),
+      this->InScattering.begin(), [](double sum, float value) { return sum + value; });
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+    {
+      const double error = term.MediumError[pixel];
+      this->Errors[pixel] = error < 0.0 ? HUGE_VAL : this->Errors[pixel] + error;
+      this->Samples[pixel] += term.SampleCount[pixel];
+    }
+    this->OcclusionRays += term.NumberOfOcclusionRays;
+    this->ThickRays += term.NumberOfThickRays;
+    this->OpticalDepth = std::max(this->OpticalDepth, term.MarchOpticalDepth);
+  }
+
+  void Write(ScatteringImage& image) const
+  {
+    const auto wavelengths = static_cast<std::size_t>(image.NumberOfWavelengths);
+    std::copy(this->Samples.begin(), this->Samples.end(), image.SampleCount.begin());
+    for (std::size_t pixel = 0; pixel < this->Errors.size(); ++pixel)
+    {
+      double mean = 0.0;
+      for (std::size_t k = pixel * wavelengths; k < (pixel + 1) * wavelengths; ++k)
+      {
+        image.InScattering[k] = static_cast<float>(this->InScattering[k]);
+        mean += this->InScattering[k] / static_cast<double>(wavelengths);
+      }
+      const double error = this->Errors[pixel];
+      const double relative = mean > 0.0 ? error / mean : (error > 0.0 ? 1.0 : 0.0);
+      image.RelativeError[pixel] = error == HUGE_VAL ? -1.0f : static_cast<float>(relative);
+      image.MediumError[pixel] = error == HUGE_VAL ? -1.0f : static_cast<float>(error);
+    }
+    image.NumberOfOcclusionRays += this->OcclusionRays;
+    image.NumberOfThickRays += this->ThickRays;
+    image.MarchOpticalDepth = std::max(image.MarchOpticalDepth, this->OpticalDepth);
+  }
+
+private:
+  std::vector<double> InScattering;
+  std::vector<double> Errors; ///< of means over wavelengths; HUGE_VAL: not known
+  std::vector<int> Samples;
+  vtkIdType OcclusionRays = 0;
+  vtkIdType ThickRays = 0; ///< summed over lights
+  double OpticalDepth = 0.0;
+};
+
+/// Renders parts of an image; what they share is prepared once. Safe from many threads.
+class ImageRenderer
+{
+public:
+  /// Everything is referred to and must outlive the renderer.
+  ImageRenderer(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options)
+    : Scenes(scenes)
+    , Options(options)
+    , Visible(VisibleLights(scenes, options))
+    , Shading(scenes, options, Visible)
+    , Lit(scenes.size())
+  {
+    for (const ScatteringScene& scene : scenes)
+    {
+      this->Contexts.push_back(std::make_unique<RenderContext>(scene, options));
+    }
+  }
+
+  /// Keep what costs a look at the whole image: it pays where more than one part is rendered.
+  void PrepareForMany()
+  {
+    for (std::size_t light = 0; light < this->Scenes.size(); ++light)
+    {
+      this->Lit[light] = this->PrepareLit(light);
+    }
+  }
+
+  bool Render(const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image) const;
+
+private:
+  /// nullptr where the light needs none.
+  std::unique_ptr<LitMinusBlockedScene> PrepareLit(std::size_t light) const
+  {
+    const RenderContext& context = *this->Contexts[light];
+    return IsMarched(this->Options.Mode) || !context.Groups.Scatters()
+      ? nullptr
+      : std::make_unique<LitMinusBlockedScene>(context);
+  }
+  bool RenderMedium(std::size_t light, const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
+  bool RenderMedia(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
+  bool Shade(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
+
+  const std::vector<ScatteringScene>& Scenes;
+  const ScatteringOptions& Options;
+  const std::vector<VisibleLight> Visible;
+  const ShadingScene Shading;
+  std::vector<std::unique_ptr<RenderContext>> Contexts;   ///< one a light
+  std::vector<std::unique_ptr<LitMinusBlockedScene>> Lit; ///< one a light, where kept
+};
+
+/// The medium term of one light: "InScattering", "RelativeError", "SampleCount" of an image of the right size.
+bool ImageRenderer::RenderMedium(
+  std::size_t light, const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const
+{
+  const RenderContext& context = *this->Contexts[light];
+  if (!context.Groups.Scatters())
+  {
+    return true;
+  }
+  const std::unique_ptr<LitMinusBlockedScene> own = this->Lit[light] ? nullptr : this->PrepareLit(light);
+  const LitMinusBlockedScene* lit = this->Lit[light] ? this->Lit[light].get() : own.get();
+  const std::vector<TileRange> tiles = TilesOf(image.Extent, MediumTerm::TileSide(this->Options.Mode));
+  std::mutex gathering;
+  return ParallelFor(static_cast<vtkIdType>(tiles.size()), monitor,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      MediumTerm term(context, lit, hits, image);
+      for (vtkIdType tile = begin; tile < end; ++tile)
+      {
+        term.RenderTile(tiles[static_cast<std::size_t>(tile)]);
+      }
+      const std::lock_guard<std::mutex> lock(gathering);
+      image.NumberOfOcclusionRays += term.NumberOfOcclusionRays();
+      image.NumberOfThickRays += term.NumberOfThickRays();
+      image.MarchOpticalDepth = std::max(image.MarchOpticalDepth, term.MarchOpticalDepth());
+    });
+}
+
+/// The medium terms of all lights.
+bool ImageRenderer::RenderMedia(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const
+{
+  if (this->Scenes.size() == 1)
+  {
+    return this->RenderMedium(0, hits, monitor, image);
+  }
+  MediumSum sum;
+  ScatteringImage term;
+  const auto count = static_cast<double>(this->Scenes.size());
+  for (std::size_t light = 0; light < this->Scenes.size(); ++light)
+  {
+    Allocate(image.Extent, this->Scenes[light].Light.Spectrum.size(), term);
+    const auto done = static_cast<double>(light);
+    if (!this->RenderMedium(light, hits, monitor.Part(done / count, (done + 1.0) / count), term))
+    {
+      return false;
+    }
+    sum.Add(term);
+  }
+  sum.Write(image);
+  return true;
+}
+
+/// Surfaces, what is seen of the lights, and the sum of all.
+bool ImageRenderer::Shade(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const
+{
+  std::atomic<vtkIdType> occlusionRays{ 0 };
+  const int columns = image.Extent[1] - image.Extent[0] + 1;
+  const bool finished = ParallelFor(static_cast<vtkIdType>(image.Depth.size()), monitor,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      SurfaceShader shader(this->Shading, hits, image);
+      for (vtkIdType index = begin; index < end; ++index)
+      {
+        const auto i = image.Extent[0] + static_cast<int>(index % columns);
+        const auto j = image.Extent[2] + static_cast<int>(index / columns);
+        shader.Shade(i, j);
+      }
+      occlusionRays += shader.NumberOfOcclusionRays();
+    });
+  image.NumberOfOcclusionRays += occlusionRays;
+  return finished;
+}
+
+bool ImageRenderer::Render(const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image) const
+{
+  Allocate(extent, this->Scenes.front().Light.Spectrum.size(), image);
+  PrimaryHits hits(this->Scenes.front(), this->Options, extent, this->Visible);
+  return hits.Trace(monitor.Part(0.0, 0.05)) && this->RenderMedia(hits, monitor.Part(0.05, 0.8), image) &&
+    this->Shade(hits, monitor.Part(0.8, 1.0), image);
+}
+
+void ThrowWhereWrong(const ScatteringOptions& options)
+{
+  if (const char* fault = CheckScatteringOptions(options))
+  {
+    throw std::invalid_argument(fault);
+  }
+}
+} // anonymous namespace
+
+bool RenderScattering(
+  const ScatteringScene& scene, const ScatteringOptions& options, const Monitor& monitor, ScatteringImage& image)
+{
+  return RenderScattering(std::vector<ScatteringScene>{ scene }, options, monitor, image);
+}
+
+bool RenderScattering(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options,
+  const Monitor& monitor, ScatteringImage& image)
+{
+  ThrowWhereWrong(options);
+  return ImageRenderer(scenes, options).Render(options.Extent, monitor, image);
+}
+
+bool RenderScattering(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options,
+  const std::vector<std::array<int, 4>>& extents, const Monitor& monitor, std::vector<ScatteringImage>& images)
+{
+  images.resize(extents.size());
+  if (extents.empty())
+  {
+    return true;
+  }
+  ScatteringOptions whole = options;
+  for (const std::array<int, 4>& extent : extents)
+  {
+    whole.Extent = extent;
+    ThrowWhereWrong(whole);
+  }
+  constexpr double pixelsOfSquare = 1024.0;
+  const auto pixels = [](const std::array<int, 4>& e) { return (e[1] - e[0] + 1.0) * (e[3] - e[2] + 1.0); };
+  double all = 0.0;
+  std::vector<std::size_t> squares;
+  for (std::size_t k = 0; k < extents.size(); ++k)
+  {
+    all += pixels(extents[k]);
+    if (pixels(extents[k]) <= pixelsOfSquare)
+    {
+      squares.push_back(k);
+    }
+  }
+  ImageRenderer renderer(scenes, whole);
+  if (extents.size() > 1)
+  {
+    renderer.PrepareForMany();
+  }
+  double done = 0.0;
+  for (std::size_t k = 0; k < extents.size(); ++k)
+  {
+    const double size = pixels(extents[k]);
+    if (size > pixelsOfSquare)
+    {
+      if (!renderer.Render(extents[k], monitor.Part(done / all, (done + size) / all), images[k]))
+      {
+        return false;
+      }
+      done += size;
+    }
+  }
+  // A small part has no tiles for several threads: these are shared out whole.
+  return squares.empty() ||
+    ParallelFor(static_cast<vtkIdType>(squares.size()), monitor.Part(done / all, 1.0),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const std::size_t k = squares[static_cast<std::size_t>(i)];
+          renderer.Render(extents[k], {}, images[k]);
+        }
+      });
+}
+
+} // namespace shadowcones

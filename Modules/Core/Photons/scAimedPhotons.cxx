@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scAimedPhotons.h"
+
+#include "scScarceOccluders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace shadowcones
+{
+namespace
+{
+/// Photons of a bundle from here on have other random numbers.
+constexpr vtkIdType otherPhotons = vtkIdType(1) << 32;
+
+/// A bundle aimed at scarce occluders, and what its photons found.
+struct AimedBundle
+{
+  std::size_t Bundle = 0;
+  std::vector<int> Ids;
+  vtkIdType MostPhotons = 0;
+  vtkIdType Photons = 0;
+  std::vector<vtkIdType> Vectors; ///< of each id
+  ShadowVectorResult Found;
+
+  vtkIdType Fewest() const { return *std::min_element(this->Vectors.begin(), this->Vectors.end()); }
+  vtkIdType Most() const { return *std::max_element(this->Vectors.begin(), this->Vectors.end()); }
+  /// Trace more photons, and count the vectors of the occluders it is aimed at.
+  void Trace(const PhotonTracing& tracing, vtkIdType first, vtkIdType more)
+  {
+    const std::size_t before = this->Found.Vectors.OccluderIds.size();
+    for (vtkIdType k = this->Photons; k < this->Photons + more; ++k)
+    {
+      tracing.Trace({ this->Bundle, first + k }, k, this->Found);
+    }
+    this->Photons += more;
+    const std::vector<int>& ids = this->Found.Vectors.OccluderIds;
+    for (std::size_t i = before; i < ids.size(); ++i)
+    {
+      const auto found = std::lower_bound(this->Ids.begin(), this->Ids.end(), ids[i]);
+      if (found != this->Ids.end() && *found == ids[i])
+      {
+        ++this->Vectors[static_cast<std::size_t>(found - this->Ids.begin())];
+      }
+    }
+  }
+  /// Forget what was found.
+  void Restart()
+  {
+    this->Photons = 0;
+    this->Vectors.assign(this->Ids.size(), 0);
+    this->Found = {};
+  }
+};
+
+/// Which occluders would have too few vectors, and how many each is to have.
+class ScarcityGoal
+{
+public:
+  ScarcityGoal(const CasterBoxes& casters, std::size_t lights, const ShadowVectorOptions& options)
+    : Casters(casters)
+    , Lights(lights)
+    , Options(options)
+    , InPhotons(options.TargetNumberOfVectors <= 0)
+    , Wanted(InPhotons ? options.NumberOfPhotons / 2 : options.TargetNumberOfVectors)
+  {
+    const auto pairs = static_cast<vtkIdType>(casters.Ids.size() * lights);
+    this->EvenShare = pairs > 0 ? (this->Wanted + pairs - 1) / pairs : 0;
+    this->Vectors = std::min<vtkIdType>(options.MinimumVectorsPerOccluder, this->EvenShare);
+  }
+
+  bool IsAsked() const { return this->Vectors > 0 && this->Casters.Ids.size() > 1; }
+  vtkIdType PilotPhotons() const
+  {
+    constexpr vtkIdType fewest = 1024;
+    constexpr vtkIdType most = 8192;
+    return std::clamp(this->Wanted / 4, fewest, most);
+  }
+
+  /**
+   * For each light, for each caster: are its photons scarce? The more are aimed at, the fewer photons are left for the others.
+   * Where these would hardly meet an occluder any more all are aimed at, and share all evenly.
+   */
+  std::vector<std::vector<bool>> FindScarce(const ShadowVectorResult& pilot)
+  {
+    constexpr double poorYield = 0.05; // vectors a photon
+    const std::vector<std::vector<double>> counts = this->CountVectors(pilot);
+    const auto photons = static_cast<double>(this->PilotPhotons());
+    const auto vectors = static_cast<double>(pilot.Vectors.OccluderIds.size());
+    std::vector<std::vector<bool>> scarce(this->Lights, std::vector<bool>(this->Casters.Ids.size(), false));
+    double left = vectors; // of the pilot's, of occluders that are not aimed at
+    for (bool more = true; more && !this->IsPoor;)
+    {
+      const double scale = this->InPhotons ? 0.5 * static_cast<double>(this->Options.NumberOfPhotons) / photons
+                                           : static_cast<double>(this->OfOthers()) / std::max(left, 1.0);
+      more = false;
+      for (std::size_t light = 0; light < this->Lights; ++light)
+      {
+        for (std::size_t k = 0; k < counts[light].size(); ++k)
+        {
+          if (!scarce[light][k] && scale * counts[light][k] < 2.0 * this->Safe())
+          {
+            scarce[light][k] = true;
+            left -= counts[light][k];
+            ++this->NumberOfScarce;
+            more = true;
+          }
+        }
+      }
+      this->IsPoor = this->OfOthers() > 0 && left < poorYield * photons;
+    }
+    if (this->IsPoor)
+    {
+      this->Vectors = this->EvenShare;
+      this->NumberOfScarce = static_cast<vtkIdType>(this->Lights * this->Casters.Ids.size());
+      scarce.assign(this->Lights, std::vector<bool>(this->Casters.Ids.size(), true));
+    }
+    for (std::size_t light = 0; this->NumberOfScarce > 0 && light < this->Lights; ++light)
+    {
+      for (std::size_t k = 0; k < counts[light].size(); ++k)
+      {
+        const double needed = scarce[light][k] ? 0.0 : this->Safe() * left / counts[light][k];
+        this->LeastOfOthers = std::max(this->LeastOfOthers, static_cast<vtkIdType>(std::ceil(needed)));
+      }
+    }
+    return scarce;
+  }
+
+  /// Vectors that photons of the lights' own bundles would have to give, beside what is needed of the aimed ones.
+  vtkIdType OfOthers() const { return std::max(this->Wanted - this->Vectors * this->NumberOfScarce, vtkIdType(0)); }
+  /// Vectors that these must give at least, for occluders that are not aimed at.
+  vtkIdType GetLeastOfOthers() const { return this->LeastOfOthers; }
+  bool IsReached(const AimedBundle& bundle, vtkIdType vectors) const
+  {
+    constexpr vtkIdType plenty = 3; // times what all of a group need, where one of them is hard to meet
+    const vtkIdType all = std::accumulate(bundle.Vectors.begin(), bundle.Vectors.end(), vtkIdType(0));
+    return bundle.Fewest() >= vectors ||
+      (bundle.Ids.size() > 1 && all >= plenty * vectors * static_cast<vtkIdType>(bundle.Ids.size()));
+  }
+
+  /// Photons that one of so many bundles may have, for so many occluders.
+  vtkIdType MostPhotons(std::size_t bundles, std::size_t occluders) const
+  {
+    constexpr vtkIdType photonsPerVector = 256;
+    const vtkIdType enough = photonsPerVector * this->Vectors * static_cast<vtkIdType>(occluders);
+    const vtkIdType all = this->IsPoor ? this->Options.NumberOfPhotons / 10 * 9 : this->Options.NumberOfPhotons / 2;
+    return this->InPhotons ? std::min(enough, all / static_cast<vtkIdType>(bundles)) : enough;
+  }
+
+  vtkIdType Vectors = 0; ///< that each occluder is to have of each light
+
+private:
+  /// Expected vectors that are hardly ever fewer than the wanted ones.
+  double Safe() const
+  {
+    const auto wanted = static_cast<double>(this->Vectors);
+    return wanted + 4.0 * std::sqrt(wanted) + 4.0;
+  }
+  /// For each light, of each caster.
+  std::vector<std::vector<double>> CountVectors(const ShadowVectorResult& pilot) const
+  {
+    std::vector<std::vector<double>> counts(this->Lights, std::vector<double>(this->Casters.Ids.size(), 0.0));
+    const std::vector<int>& ids = pilot.Vectors.OccluderIds;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      const auto found = std::lower_bound(this->Casters.Ids.begin(), this->Casters.Ids.end(), ids[i]);
+      counts[static_cast<std::size_t>(pilot.Vectors.LightIds[i])]
+            [static_cast<std::size_t>(found - this->Casters.Ids.begin())] += 1.0;
+    }
+    return counts;
+  }
+
+  const CasterBoxes& Casters;
+  std::size_t Lights;
+  const ShadowVectorOptions& Options;
+  bool InPhotons;
+  vtkIdType Wanted; ///< vectors
+  vtkIdType EvenShare = 0;
+  vtkIdType NumberOfScarce = 0;
+  vtkIdType LeastOfOthers = 0;
+  bool IsPoor = false;
+};
+
+/// Run @p body for each bundle, in parallel. @return false where aborted.
+template <typename Body>
+bool ForEachBundle(std::vector<AimedBundle>& aimed, const Monitor& monitor, const Body& body)
+{
+  return ParallelFor(static_cast<vtkIdType>(aimed.size()), monitor,
+    [&](vtkIdType first, vtkIdType last) { std::for_each(aimed.begin() + first, aimed.begin() + last, body); });
+}
+
+/// A bundle for each box around scarce occluders.
+std::vector<AimedBundle> MakeBundles(const CasterBoxes& casters, const std::vector<std::vector<bool>>& scarce,
+  const ScarcityGoal& goal, PhotonBundles& bundles)
+{
+  constexpr std::size_t mostOfLight = 256;
+  std::vector<AimedBundle> aimed;
+  for (std::size_t light = 0; light < scarce.size(); ++light)
+  {
+    for (const ScarceOccluders& group : BoxesToAimAt(casters, scarce[light], mostOfLight))
+    {
+      aimed.emplace_back();
+      aimed.back().Bundle = bundles.NumberOfBundles();
+      aimed.back().Ids = group.Ids;
+      bundles.Aim(static_cast<int>(light), group.Bounds);
+      bundles.SetPhotons(aimed.back().Bundle, 1); // it has its paths from now on
+    }
+  }
+  for (AimedBundle& bundle : aimed)
+  {
+    bundle.MostPhotons = goal.MostPhotons(aimed.size(), bundle.Ids.size());
+    bundle.Restart();
+  }
+  return aimed;
+}
+
+/// Number what a bundle found, and add it.
+void Keep(AimedBundle& bundle, PhotonBundles& bundles, ShadowVectorResult& result)
+{
+  bundles.SetPhotons(bundle.Bundle, bundle.Photons);
+  const vtkIdType first = bundles.FirstPhoton(bundle.Bundle);
+  for (std::vector<vtkIdType>* indices :
+    { &bundle.Found.Vectors.PhotonIndices, &bundle.Found.Paths.PhotonIndices, &bundle.Found.Photons.PhotonIndices })
+  {
+    std::for_each(indices->begin(), indices->end(), [first](vtkIdType& index) { index += first; });
+  }
+  Append(result, bundle.Found);
+  result.NumberOfScarce += std::count_if(bundle.Vectors.begin(), bundle.Vectors.end(),
+    [&](vtkIdType vectors) { return vectors > 0 && vectors < result.MinimumVectors; });
+}
+} // anonymous namespace
+
+bool TraceAimedPhotons(const PhotonTracing& tracing, const TriangleMeshView& mesh, std::size_t lights,
+  const ShadowVectorOptions& options, const Monitor& monitor, ShadowVectorResult& result, vtkIdType& ofOthers)
+{
+  const CasterBoxes casters = BoxesOfCasters(mesh);
+  ScarcityGoal goal(casters, lights, options);
+  if (!goal.IsAsked())
+  {
+    return true;
+  }
+  ShadowVectorResult pilot;
+  if (!tracing.TraceRange(otherPhotons, otherPhotons + goal.PilotPhotons(), monitor.Part(0.0, 0.1), pilot))
+  {
+    return false;
+  }
+  const std::vector<std::vector<bool>> scarce = goal.FindScarce(pilot);
+  std::vector<AimedBundle> aimed = MakeBundles(casters, scarce, goal, tracing.Bundles);
+  const vtkIdType batch = std::clamp<vtkIdType>(goal.Vectors, 8, 64);
+  const auto traceUntil = [&](AimedBundle& bundle, vtkIdType first, vtkIdType vectors)
+  {
+    while (!goal.IsReached(bundle, vectors) && bundle.Photons < bundle.MostPhotons)
+    {
+      bundle.Trace(tracing, first, std::min(batch, bundle.MostPhotons - bundle.Photons));
+    }
+  };
+  if (!ForEachBundle(aimed, monitor.Part(0.1, 0.4),
+        [&](AimedBundle& bundle) { traceUntil(bundle, otherPhotons, (goal.Vectors + 1) / 2); }))
+  {
+    return false;
+  }
+  for (AimedBundle& bundle : aimed)
+  {
+    // What no photon met is left to the light's own bundle.
+    const double safe = 2.0 + 2.0 * std::min(0.25, 4.0 / std::sqrt(static_cast<double>(goal.Vectors)));
+    const double batches = safe * static_cast<double>(bundle.Photons) / static_cast<double>(batch);
+    const vtkIdType enough = batch * static_cast<vtkIdType>(std::ceil(batches));
+    tracing.Bundles.SetPhotons(bundle.Bundle, bundle.Most() > 0 ? std::min(enough, bundle.MostPhotons) : 0);
+  }
+  const auto trace = [&](AimedBundle& bundle)
+  {
+    const vtkIdType photons = tracing.Bundles.PhotonsOf(bundle.Bundle);
+    const bool meetsAll = bundle.Fewest() > 0;
+    bundle.Restart();
+    bundle.Trace(tracing, 0, photons);
+    if (photons > 0 && meetsAll)
+    {
+      traceUntil(bundle, 0, goal.Vectors);
+    }
+  };
+  if (!ForEachBundle(aimed, monitor.Part(0.4, 1.0), trace))
+  {
+    return false;
+  }
+  result.MinimumVectors = goal.Vectors;
+  for (AimedBundle& bundle : aimed)
+  {
+    Keep(bundle, tracing.Bundles, result);
+  }
+  ofOthers = goal.GetLeastOfOthers();
+  return true;
+}
+
+} // namespace shadowcones
