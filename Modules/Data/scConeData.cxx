@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scConeData.h"
 
-#include "scConeIntervals.h"
+#include "scCone.h"
 #include "scFieldArrays.h"
 #include "scTuples.h"
 
@@ -113,7 +113,8 @@ bool ReadConeSet(vtkPolyData* input, std::vector<Cone>& cones, std::string& erro
     cone.Planarity = planarities ? planarities->GetComponent(i, 0) : 0.0;
     cone.Overspill = overspills ? overspills->GetComponent(i, 0) : -1.0;
     cone.LightId = lightIds ? static_cast<int>(lightIds->GetComponent(i, 0)) : 0;
-    cone.Origin = static_cast<ConeOrigin>(origins ? std::clamp(static_cast<int>(origins->GetComponent(i, 0)), 0, 2) : 0);
+    cone.Origin =
+      static_cast<ConeOrigin>(origins ? std::clamp(static_cast<int>(origins->GetComponent(i, 0)), 0, 2) : 0);
     if (!CheckCone(cone, i, error))
     {
       return false;
@@ -221,12 +222,26 @@ std::vector<Cone> ConesEverywhere(const Box& region, std::size_t lights)
   return cones;
 }
 
-std::vector<Cone> ConesFor(
-  const Box& region, std::size_t lights, vtkFieldData* data, const std::vector<Cone>& cones)
+std::vector<Cone> ConesFor(const Box& region, std::size_t lights, vtkFieldData* data, const std::vector<Cone>& cones)
 {
   const Box proved = ReadCertifiedBounds(data);
-  const bool beyond = !proved.Empty() && !region.Empty() && !(proved.Contains(region.Min) && proved.Contains(region.Max));
+  const bool beyond =
+    !proved.Empty() && !region.Empty() && !(proved.Contains(region.Min) && proved.Contains(region.Max));
   return beyond ? ConesEverywhere(region, lights) : cones;
+}
+
+ConeCertificate CertificateOf(const ConeProof& proof, const std::vector<Cone>& cones, const TriangleMeshView& mesh,
+  const std::vector<Light>& lights)
+{
+  ConeCertificate certificate;
+  certificate.Certified = proof.Certified;
+  certificate.Bounds = proof.CertifiedBounds;
+  certificate.NumberOfProvedParts = proof.NumberOfProvedParts;
+  certificate.NumberOfGrownCones = proof.NumberOfGrownCones;
+  certificate.NumberOfAddedCones = proof.NumberOfAddedCones;
+  certificate.NumberOfOccludersWithoutCone = proof.NumberOfOccludersWithoutCone;
+  certificate.Hash = proof.Certified ? CertificateHash(cones, mesh, lights) : 0;
+  return certificate;
 }
 
 void WriteConeCertificate(const ConeCertificate& certificate, vtkFieldData* data)
@@ -251,7 +266,8 @@ ConeCertificate ReadConeCertificate(vtkFieldData* data, const std::vector<Cone>&
   const std::vector<Light>& lights, std::string& why)
 {
   ConeCertificate certificate;
-  const auto value = [data](const char* name) {
+  const auto value = [data](const char* name)
+  {
     vtkDataArray* array = data->GetArray(name);
     return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : 0.0;
   };

@@ -7,6 +7,7 @@
 #define scConeData_h
 
 #include "ShadowConesDataModule.h"
+#include "scCone.h"
 #include "scConeProof.h"
 #include "scConeSet.h"
 #include "scConeTuning.h"
@@ -63,6 +64,9 @@ struct ConeCertificate
   std::uint64_t Hash = 0;
 };
 
+/// The certificate of cones that were proved, or not.
+SHADOWCONESDATA_EXPORT ConeCertificate CertificateOf(const ConeProof& proof, const std::vector<Cone>& cones,
+  const TriangleMeshView& mesh, const std::vector<Light>& lights);
 /// "Certified", "CertifiedBounds" (infinite: everywhere), the four counts and "CertificateHash", as field data.
 SHADOWCONESDATA_EXPORT void WriteConeCertificate(const ConeCertificate& certificate, vtkFieldData* data);
 /**

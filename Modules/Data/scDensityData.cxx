@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scDensityData.h"
 
+#include "scSentence.h"
+
+#include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 
@@ -79,6 +84,52 @@ bool ReadValues(vtkDataArray* array, DensityGrid& grid, std::string& error)
 }
 
 } // namespace
+
+bool ChooseDensity(vtkAlgorithm* filter, int port, vtkImageData* density, vtkDataArray*& values, std::string& error)
+{
+  vtkInformationVector* choices = filter->GetInformation()->Get(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
+  vtkInformation* choice = choices ? choices->GetInformationObject(0) : nullptr;
+  const std::string name =
+    choice && choice->Has(vtkDataObject::FIELD_NAME()) ? choice->Get(vtkDataObject::FIELD_NAME()) : "(automatic)";
+  const bool byAttribute = choice && choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+  if (!density || !choice || (!byAttribute && (name.empty() || name == "(automatic)")))
+  {
+    return true; // the usual one
+  }
+  const int association = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  vtkPointData* points = density->GetPointData();
+  if (choice->Get(vtkAlgorithm::INPUT_PORT()) != port)
+  {
+    error = Sentence("SetInputArrayToProcess chooses an array of input port ", choice->Get(vtkAlgorithm::INPUT_PORT()),
+      ": the only one to be chosen is the density's, of input port ", port, ".");
+  }
+  else if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+    association != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+  {
+    error = "SetInputArrayToProcess chooses a density that is not point data: run vtkCellDataToPointData first.";
+  }
+  else if (!byAttribute)
+  {
+    values = points->GetArray(name.c_str());
+    std::string others;
+    for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+    {
+      const char* other = points->GetArrayName(i);
+      others += (i == 0 ? "\"" : ", \"") + std::string(other ? other : "") + "\"";
+    }
+    error = values ? ""
+                   : Sentence("The density on input port ", port, " has no point array \"", name,
+                       "\", which SetInputArrayToProcess chooses: it has ", others.empty() ? "none" : others, ".");
+  }
+  else
+  {
+    values = points->GetAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+    error = values
+      ? ""
+      : Sentence("The density on input port ", port, " lacks the attribute that SetInputArrayToProcess chooses.");
+  }
+  return error.empty();
+}
 
 bool ReadDensity(vtkImageData* input, vtkDataArray* chosen, DensityGrid& grid, std::string& error)
 {

@@ -11,11 +11,19 @@
 
 #include <string>
 
+class vtkAlgorithm;
 class vtkDataArray;
 class vtkImageData;
 
 namespace shadowcones
 {
+
+/**
+ * The point array that SetInputArrayToProcess of a filter chooses on @p port, where it chooses one; nullptr: the usual one.
+ * @return false, with a sentence in @p error, where the choice is of another port, of cells, or not there.
+ */
+SHADOWCONESDATA_EXPORT bool ChooseDensity(
+  vtkAlgorithm* filter, int port, vtkImageData* density, vtkDataArray*& values, std::string& error);
 
 /**
  * Read a density and prepare it: the point array @p chosen, or where it is null the point array "Density", else the active point scalars, else the first point array; one

@@ -109,6 +109,27 @@ PieceRequest RequestedPiece(vtkInformation* request, vtkInformationVector* outpu
   return piece;
 }
 
+void OfferImage(vtkInformation* outputInformation, const int dimensions[3], const double* bounds)
+{
+  int whole[6];
+  double spacing[3] = { 1.0, 1.0, 1.0 };
+  double origin[3] = { 0.0, 0.0, 0.0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    whole[2 * axis] = 0;
+    whole[2 * axis + 1] = dimensions[axis] - 1;
+    if (bounds && bounds[2 * axis] < bounds[2 * axis + 1])
+    {
+      origin[axis] = bounds[2 * axis];
+      spacing[axis] = (bounds[2 * axis + 1] - origin[axis]) / whole[2 * axis + 1];
+    }
+  }
+  outputInformation->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole, 6);
+  outputInformation->Set(vtkDataObject::SPACING(), spacing, 3);
+  outputInformation->Set(vtkDataObject::ORIGIN(), origin, 3);
+  outputInformation->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+}
+
 void HandlePieces(vtkInformationVector* outputVector)
 {
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
@@ -271,6 +292,12 @@ bool FilterRun::AreInputsWhole(std::string& error, int firstPort) const
     }
   }
   return true;
+}
+
+int FilterRun::Fail(const std::string& error) const
+{
+  vtkErrorWithObjectMacro(this->Algorithm, << error);
+  return 0;
 }
 
 } // namespace shadowcones

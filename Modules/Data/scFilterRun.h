@@ -52,6 +52,13 @@ SHADOWCONESDATA_EXPORT PieceRequest RequestedPiece(vtkInformation* request, vtkI
 SHADOWCONESDATA_EXPORT void HandlePieces(vtkInformationVector* outputVector);
 
 /**
+ * Tell the pipeline of an image of these dimensions, of which any extent can be asked for. It fills @p bounds; along an axis on
+ * which these do not ascend, and without them, it has the origin 0 and the spacing 1.
+ */
+SHADOWCONESDATA_EXPORT void OfferImage(
+  vtkInformation* outputInformation, const int dimensions[3], const double* bounds);
+
+/**
  * Tell the pipeline at which times every output can be asked for: at the steps of all inputs, in ascending order and without
  * repeats; the range is the least that holds all of theirs. No time where no input has any. (The pipeline itself looks at
  * the first input alone, and does not run a filter again for another time unless the filter offers times.)
@@ -94,6 +101,9 @@ public:
    * @return false, with a sentence in @p error that names the port and says what to do.
    */
   bool AreInputsWhole(std::string& error, int firstPort = 0) const;
+
+  /// Say what is wrong by vtkErrorMacro of the filter. @return 0, for RequestData to return.
+  int Fail(const std::string& error) const;
 
 private:
   vtkAlgorithm* Algorithm;

@@ -3,6 +3,7 @@
 
 #include "scMeshData.h"
 #include "scRandom.h"
+#include "scWarnings.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -82,6 +83,10 @@ std::uint64_t CastersFingerprintOf(const TriangleMesh& mesh)
 
 void WriteFingerprints(const char* name, const std::vector<std::uint64_t>& fingerprints, vtkFieldData* data)
 {
+  if (fingerprints.empty())
+  {
+    return;
+  }
   vtkNew<vtkTypeUInt64Array> array;
   array->SetName(name);
   for (const std::uint64_t fingerprint : fingerprints)
@@ -109,6 +114,15 @@ std::string CompareFingerprints(const char* name, vtkFieldData* data, const std:
   return given.empty() || given == own
     ? std::string()
     : input + " was made from other " + from + ": shadows may be missing or out of place. Make it again from these.";
+}
+
+std::uint64_t CompareCasters(
+  const TriangleMesh& mesh, int meshPort, vtkFieldData* made, const std::string& input, Warnings& warnings)
+{
+  const std::uint64_t own = CastersFingerprintOf(mesh);
+  warnings.Add(CompareFingerprints(castersFingerprint, made, { own }, input,
+    "casters than those of the mesh on input port " + std::to_string(meshPort)));
+  return own;
 }
 
 } // namespace shadowcones

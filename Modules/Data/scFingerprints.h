@@ -17,6 +17,7 @@ class vtkFieldData;
 namespace shadowcones
 {
 
+class Warnings;
 struct TriangleMesh;
 
 constexpr const char* castersFingerprint = "CastersFingerprint";
@@ -29,7 +30,7 @@ constexpr const char* lightFingerprint = "LightFingerprint";
  */
 SHADOWCONESDATA_EXPORT std::uint64_t CastersFingerprintOf(const TriangleMesh& mesh);
 
-/// Add fingerprints as field data (vtkTypeUInt64Array, one component).
+/// Add fingerprints as field data (vtkTypeUInt64Array, one component); nothing where there is none.
 SHADOWCONESDATA_EXPORT void WriteFingerprints(
   const char* name, const std::vector<std::uint64_t>& fingerprints, vtkFieldData* data);
 /// The fingerprints of that name; none where there is no such array.
@@ -42,6 +43,13 @@ SHADOWCONESDATA_EXPORT std::vector<std::uint64_t> ReadFingerprints(const char* n
  */
 SHADOWCONESDATA_EXPORT std::string CompareFingerprints(const char* name, vtkFieldData* data,
   const std::vector<std::uint64_t>& own, const std::string& input, const std::string& from);
+
+/**
+ * The fingerprint of the casters of the mesh on input port @p meshPort. Warns where the field data @p made, of what @p input names
+ * as above, tell of other casters.
+ */
+SHADOWCONESDATA_EXPORT std::uint64_t CompareCasters(
+  const TriangleMesh& mesh, int meshPort, vtkFieldData* made, const std::string& input, Warnings& warnings);
 
 } // namespace shadowcones
 

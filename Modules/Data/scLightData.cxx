@@ -363,7 +363,7 @@ bool FitShape(vtkPolyData* input, Light& light, std::string& error, std::string*
   if (warning)
   {
     *warning = Sentence("The light's \"LightShape\" is ", NameOf(light.Shape),
-      " and does not fit its mesh, which lies up to ", misfit.Distance, " away from it and has ", misfit.Share,
+      " and does not fit its mesh, which lies up to ", misfit.Distance, " away from it and has ", misfit.Fraction,
       " of its area: the polygons shine instead. Move and scale the vtkAreaLightSource itself, and connect every lamp "
       "by itself with AddLightConnection().");
   }

@@ -8,6 +8,7 @@
 
 #include "ShadowConesDataModule.h"
 #include "scMedium.h"
+#include "scSpectrumSamples.h"
 
 #include <cstddef>
 #include <string>
@@ -18,11 +19,8 @@ class vtkFieldData;
 namespace shadowcones
 {
 
-/// A coefficient of one value and, where a wavelength sample has its own, of those: NaN where it has none.
-SHADOWCONESDATA_EXPORT void SetSample(std::vector<double>& spectrum, int index, double value);
-SHADOWCONESDATA_EXPORT double GetSample(const std::vector<double>& spectrum, int index, double all);
-/// Its values at every wavelength. @return false, with a sentence in @p error, where one is not valid or not used.
-SHADOWCONESDATA_EXPORT bool ReadCoefficient(const char* name, const std::vector<double>& spectrum, double all,
+/// The values of a coefficient at every wavelength. @return false, with a sentence in @p error, where one is not valid or not used.
+SHADOWCONESDATA_EXPORT bool ReadCoefficient(const char* name, const SpectrumSamples& samples, double all,
   std::size_t wavelengths, std::vector<double>& values, std::string& error);
 
 /// SigmaS, SigmaA and MediumBounds as field data.

@@ -8,7 +8,7 @@
 
 #include "ShadowConesDataModule.h"
 #include "scMeshBlocks.h"
-#include "scOccluderScene.h"
+#include "scTriangleMesh.h"
 
 #include <cstddef>
 #include <string>

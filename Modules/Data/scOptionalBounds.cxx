@@ -54,4 +54,18 @@ bool ReadBounds(const char* name, const double bounds[6], Box& box, std::string&
   return true;
 }
 
+bool ReadSolidBounds(const char* name, const double bounds[6], Box& box, std::string& error)
+{
+  if (!ReadBounds(name, bounds, box, error))
+  {
+    return false;
+  }
+  const Vector3 size = box.Size();
+  if (!(std::min({ size.X, size.Y, size.Z }) > 0.0))
+  {
+    error = Sentence(name, " are flat: they must enclose a volume.");
+  }
+  return error.empty();
+}
+
 } // namespace shadowcones

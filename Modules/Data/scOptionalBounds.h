@@ -7,7 +7,7 @@
 #define scOptionalBounds_h
 
 #include "ShadowConesDataModule.h"
-#include "scVector3.h"
+#include "scBox.h"
 
 #include <string>
 
@@ -25,6 +25,8 @@ SHADOWCONESDATA_EXPORT bool BoundsAround(const Box& bounds, const Box& lights, B
 
 /// Six bounds as a box. @return false, with a sentence in @p error, where they do not ascend or are not finite.
 SHADOWCONESDATA_EXPORT bool ReadBounds(const char* name, const double bounds[6], Box& box, std::string& error);
+/// The same of a box that must have a volume.
+SHADOWCONESDATA_EXPORT bool ReadSolidBounds(const char* name, const double bounds[6], Box& box, std::string& error);
 
 } // namespace shadowcones
 

@@ -7,7 +7,7 @@
 #define scSceneLights_h
 
 #include "ShadowConesDataModule.h"
-#include "scConeSet.h"
+#include "scCone.h"
 #include "scLight.h"
 #include "scVisibilityGrid.h"
 

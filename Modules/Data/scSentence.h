@@ -20,6 +20,18 @@ std::string Sentence(const Parts&... parts)
   return text.str();
 }
 
+/// So many values, separated by commas.
+template <typename Value>
+std::string Listed(const Value* values, int count)
+{
+  std::ostringstream text;
+  for (int i = 0; i < count; ++i)
+  {
+    text << (i > 0 ? ", " : "") << values[i];
+  }
+  return text.str();
+}
+
 } // namespace shadowcones
 
 #endif

@@ -181,4 +181,22 @@ void WriteShadowPhotons(const ShadowPhotons& photons, vtkPolyData* output)
   AddIntArray(data, "LightId", 1, photons.LightIds);
 }
 
+void WriteLabelledVectors(
+  vtkPolyData* input, const std::vector<vtkIdType>& coneIds, const PieceRequest& piece, vtkPolyData* output)
+{
+  const auto count = static_cast<vtkIdType>(coneIds.size());
+  const vtkIdType begin = piece.Begin(count);
+  const vtkIdType end = piece.End(count);
+  std::vector<double> points(static_cast<std::size_t>(3 * (end - begin)));
+  vtkPointData* data = output->GetPointData();
+  data->CopyAllocate(input->GetPointData(), end - begin);
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    input->GetPoint(i, &points[3 * (i - begin)]);
+    data->CopyData(input->GetPointData(), i, i - begin);
+  }
+  SetVertices(output, points);
+  AddIdArray(data, "ConeId", { coneIds.begin() + begin, coneIds.begin() + end });
+}
+
 } // namespace shadowcones

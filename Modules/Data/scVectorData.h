@@ -7,7 +7,9 @@
 #define scVectorData_h
 
 #include "ShadowConesDataModule.h"
-#include "scConeSet.h"
+#include "scFilterRun.h"
+#include "scPhotonPathView.h"
+#include "scShadowVectorView.h"
 #include "scShadowVectors.h"
 
 #include <string>
@@ -59,6 +61,10 @@ SHADOWCONESDATA_EXPORT bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays
 SHADOWCONESDATA_EXPORT void WriteShadowVectors(const ShadowVectors& vectors, vtkPolyData* output);
 SHADOWCONESDATA_EXPORT void WritePhotonPaths(const PhotonPaths& paths, vtkPolyData* output);
 SHADOWCONESDATA_EXPORT void WriteShadowPhotons(const ShadowPhotons& photons, vtkPolyData* output);
+
+/// Write the vectors of @p input that the piece holds, with all their arrays and the cone of each, "ConeId".
+SHADOWCONESDATA_EXPORT void WriteLabelledVectors(
+  vtkPolyData* input, const std::vector<vtkIdType>& coneIds, const PieceRequest& piece, vtkPolyData* output);
 
 } // namespace shadowcones
 

@@ -17,7 +17,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -115,7 +114,8 @@ SharpCells CountSharpCells(const VisibilityGrid& grid)
   const std::array<int, 3>& n = grid.Dimensions;
   const auto row = static_cast<std::size_t>(n[0]);
   const std::size_t layer = row * static_cast<std::size_t>(n[1]);
-  const auto valuesOfBrick = static_cast<std::size_t>(grid.BrickParts + 1) * (grid.BrickParts + 1) * (grid.BrickParts + 1);
+  const auto valuesOfBrick =
+    static_cast<std::size_t>(grid.BrickParts + 1) * (grid.BrickParts + 1) * (grid.BrickParts + 1);
   SharpCells count;
   std::size_t brick = 0; // bricks and cells ascend together
   for (int k = 0; k + 1 < n[2]; ++k)
@@ -129,7 +129,8 @@ SharpCells CountSharpCells(const VisibilityGrid& grid)
         if (grid.Marked[corner] || grid.Marked[corner + 1 + row + layer] || refined)
         {
           count.All += 1.0;
-          count.Sharp += refined ? SharpShareOfBrick(grid.BrickVisibility.data() + brick * valuesOfBrick, grid.BrickParts)
+          count.Sharp += refined
+            ? SharpShareOfBrick(grid.BrickVisibility.data() + brick * valuesOfBrick, grid.BrickParts)
             : RangeOfCorners(grid.Visibility.data() + corner, row, layer) > sharpRange ? 1.0
                                                                                        : 0.0;
         }
@@ -184,8 +185,8 @@ void CountCoarsePolygons(vtkPolyData* mesh, CoarsePolygons& count)
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     polygons->GetCurrentCell(size, corners);
-    const bool exist = std::all_of(
-      corners, corners + size, [numberOfPoints](vtkIdType i) { return i >= 0 && i < numberOfPoints; });
+    const bool exist =
+      std::all_of(corners, corners + size, [numberOfPoints](vtkIdType i) { return i >= 0 && i < numberOfPoints; });
     count.Coarse += exist && HasCoarseEdge(mesh->GetPoints(), size, corners) ? 1 : 0;
   }
 }
@@ -229,7 +230,8 @@ std::string NothingLit(vtkIdType photons, vtkIdType blocked, double solidAngle)
 {
   return photons > 0 && blocked == photons && solidAngle >= nearlyHalfSpace
     ? Sentence("All ", photons,
-        " photons were stopped by an occluder, wherever they went: nothing is lit, as by a lamp in a closed box. Move the "
+        " photons were stopped by an occluder, wherever they went: nothing is lit, as by a lamp in a closed box. Move "
+        "the "
         "light, or open the mesh; walls that only catch shadows take a negative OccluderId.")
     : std::string();
 }
@@ -246,12 +248,44 @@ std::string OccludersWithoutVectors(const std::vector<int>& casters, const std::
     : std::string();
 }
 
+std::string TooFewVectors(vtkIdType scarce, vtkIdType minimum)
+{
+  return scarce > 0
+    ? Sentence(scarce, " times an occluder has fewer than ", minimum,
+        " shadow vectors of a light, though photons were aimed at it: hardly any light reaches it, or it is thin. Take more "
+        "photons, or set MinimumVectorsPerOccluder to 0.")
+    : std::string();
+}
+
 std::string TargetNotMet(vtkIdType vectors, vtkIdType target, vtkIdType photons)
 {
   return vectors < target
     ? Sentence("Only ", vectors, " of ", target, " vectors were stored by ", photons,
         " photons: hardly any light meets an occluder. Check where the light is and which way it faces.")
     : std::string();
+}
+
+std::string UnusedParameters(const std::string& names)
+{
+  return names.empty() ? names
+                       : "Tuning chooses these parameters, and what they were set to is not used: " + names +
+      ". Use SetTuningToManual to fit with them.";
+}
+
+std::string NotProved()
+{
+  return "The cone set is not proved: the shadow vectors do not carry the exact shape of the light. Connect the light "
+         "with "
+         "SetLightConnection, or set Certify off.";
+}
+
+std::string NothingToLearnFrom(const std::string& lacking)
+{
+  return lacking.empty() ? lacking
+                         : "Tuning found too little to learn from: " + lacking +
+      ". Cones are bounds from the light's geometry instead; more photons, or a mesh and a light to prove them with, "
+      "make "
+      "them better.";
 }
 
 std::string NoCones(vtkIdType cones, vtkIdType vectors)
@@ -304,10 +338,10 @@ std::string TooManyDiscarded(vtkFieldData* field)
 
 std::string EmptyConeSet(vtkIdType cones, vtkIdType castingTriangles)
 {
-  return cones == 0 && castingTriangles > 0
-    ? Sentence("The cone set is empty, but ", castingTriangles,
-        " triangles of the mesh cast shadows: all counts as lit. See what vtkConeSetFilter and vtkShadowVectorFilter say.")
-    : std::string();
+  return cones == 0 && castingTriangles > 0 ? Sentence("The cone set is empty, but ", castingTriangles,
+                                                " triangles of the mesh cast shadows: all counts as lit. See what "
+                                                "vtkConeSetFilter and vtkShadowVectorFilter say.")
+                                            : std::string();
 }
 
 std::string NoPlaceInShadow(const char* places, vtkIdType asked, vtkIdType inShadow, vtkIdType cones)
@@ -336,6 +370,14 @@ std::string TooCoarse(const VisibilityGrid& grid, const char* remedy)
     : std::string();
 }
 
+std::string OutOfFirstBounds(const Box& scene)
+{
+  return Sentence(
+    "Bounds are not set, and at this time the scene reaches out of the box around it at the first time: from ",
+    scene.Min.X, ", ", scene.Min.Y, ", ", scene.Min.Z, " to ", scene.Max.X, ", ", scene.Max.Y, ", ", scene.Max.Z,
+    ". Set Bounds that hold all of it.");
+}
+
 std::string OccludersWithoutSurface(vtkIdType without, vtkIdType occluders)
 {
   return without > 0
@@ -349,7 +391,8 @@ std::string TrianglesDropped(vtkIdType dropped, vtkIdType triangles)
 {
   return static_cast<double>(dropped) > mostDropped * static_cast<double>(triangles)
     ? Sentence(dropped, " of ", triangles, " triangles (", Percent(dropped, triangles),
-        ") were dropped, which have repeated points, no area, or the points of another one. Lower WeldTolerance, or mend "
+        ") were dropped, which have repeated points, no area, or the points of another one. Lower WeldTolerance, or "
+        "mend "
         "the mesh.")
     : std::string();
 }
@@ -368,26 +411,27 @@ std::string CoarseCoordinates(vtkDataObject* mesh)
   CountCoarsePolygons(vtkPolyData::SafeDownCast(mesh), count);
   return static_cast<double>(count.Coarse) > mostCoarse * static_cast<double>(count.All)
     ? Sentence(count.Coarse, " of ", count.All, " polygons (", Percent(count.Coarse, count.All),
-        ") have an edge of less than 8 steps between coordinates in single precision: the mesh is too large, or too far "
+        ") have an edge of less than 8 steps between coordinates in single precision: the mesh is too large, or too "
+        "far "
         "from the origin, for its detail. Write its points in double precision, or move it to the origin first.")
     : std::string();
 }
 
 std::string MediumNotSeen(vtkIdType pixels, vtkIdType through)
 {
-  return pixels > 0 && through == 0
-    ? Sentence("None of ", pixels,
-        " camera rays passes the medium before a surface: there is no light shaft to see. Check MediumBounds and the camera.")
-    : std::string();
+  return pixels > 0 && through == 0 ? Sentence("None of ", pixels,
+                                        " camera rays passes the medium before a surface: there is no light shaft to "
+                                        "see. Check MediumBounds and the camera.")
+                                    : std::string();
 }
 
 std::string NothingSeen(vtkIdType pixels, vtkIdType bright)
 {
-  return pixels > 0 && bright == 0
-    ? Sentence("All ", pixels,
-        " pixels are black: no light comes to the camera. Check which way the light faces, whether the mesh encloses it, its "
-        "Radiance, and SigmaS.")
-    : std::string();
+  return pixels > 0 && bright == 0 ? Sentence("All ", pixels,
+                                       " pixels are black: no light comes to the camera. Check which way the light "
+                                       "faces, whether the mesh encloses it, its "
+                                       "Radiance, and SigmaS.")
+                                   : std::string();
 }
 
 std::string GoalNotMet(vtkIdType pixels, vtkIdType missed, double goal, double worst, int maximumSamples)
@@ -401,11 +445,11 @@ std::string GoalNotMet(vtkIdType pixels, vtkIdType missed, double goal, double w
 
 std::string MediumBeyondVolume(double share)
 {
-  return share > mostBeyond
-    ? Sentence(Percent(share),
-        " of the medium lies outside the visibility volume, where everything counts as lit: set Bounds of the volume to "
-        "MediumBounds.")
-    : std::string();
+  return share > mostBeyond ? Sentence(Percent(share),
+                                " of the medium lies outside the visibility volume, where everything counts as lit: "
+                                "set Bounds of the volume to "
+                                "MediumBounds.")
+                            : std::string();
 }
 
 std::string ThickSteps(vtkIdType rays, vtkIdType pixels, double opticalDepth, int steps)
@@ -420,16 +464,15 @@ std::string ThickSteps(vtkIdType rays, vtkIdType pixels, double opticalDepth, in
     enough <= 1e6 ? Sentence("SetNumberOfSteps(", static_cast<int>(enough), "), or ") : std::string();
   return Sentence("The medium is too dense for NumberOfSteps = ", steps, ": at ", rays, " of ", pixels,
     " pixels light fades within a step of the march, over an optical depth of up to ", opticalDepth,
-    " which it makes too bright by ", std::ceil(100.0 * (opticalDepth / std::tanh(opticalDepth) - 1.0)), " %. Use ", more,
-    "SetModeToGuided(), which resolves media of any density.");
+    " which it makes too bright by ", std::ceil(100.0 * (opticalDepth / std::tanh(opticalDepth) - 1.0)), " %. Use ",
+    more, "SetModeToGuided(), which resolves media of any density.");
 }
 
 std::string UnusedExposure(double exposure)
 {
-  return exposure != 1.0
-    ? Sentence("Exposure is ", exposure,
-        ", but AutoExposure is on and finds its own: call AutoExposureOff() to use it.")
-    : std::string();
+  return exposure != 1.0 ? Sentence("Exposure is ", exposure,
+                             ", but AutoExposure is on and finds its own: call AutoExposureOff() to use it.")
+                         : std::string();
 }
 
 } // namespace shadowcones

@@ -22,6 +22,7 @@ class vtkFieldData;
 namespace shadowcones
 {
 
+struct Box;
 struct VisibilityGrid;
 
 class SHADOWCONESDATA_EXPORT Warnings
@@ -45,9 +46,15 @@ SHADOWCONESDATA_EXPORT std::string NothingLit(vtkIdType photons, vtkIdType block
 /// @p casters one id a triangle, @p vectors one id a vector; negative ids cast no shadow.
 SHADOWCONESDATA_EXPORT std::string OccludersWithoutVectors(
   const std::vector<int>& casters, const std::vector<int>& vectors);
+/// @p scarce pairs of an occluder and a light with some vectors, but fewer than @p minimum.
+SHADOWCONESDATA_EXPORT std::string TooFewVectors(vtkIdType scarce, vtkIdType minimum);
 SHADOWCONESDATA_EXPORT std::string TargetNotMet(vtkIdType vectors, vtkIdType target, vtkIdType photons);
 
-/// vtkConeSetFilter.
+/// vtkConeSetFilter. @p names of parameters that were set and that tuning chooses itself.
+SHADOWCONESDATA_EXPORT std::string UnusedParameters(const std::string& names);
+SHADOWCONESDATA_EXPORT std::string NotProved();
+/// @p lacking what the photon paths lack for tuning.
+SHADOWCONESDATA_EXPORT std::string NothingToLearnFrom(const std::string& lacking);
 SHADOWCONESDATA_EXPORT std::string NoCones(vtkIdType cones, vtkIdType vectors);
 /// @p coneIds of each vector the cone that holds it, -1 where none does.
 SHADOWCONESDATA_EXPORT std::string OccludersWithoutCone(
@@ -67,6 +74,8 @@ SHADOWCONESDATA_EXPORT std::string NoPlaceLit(const char* places, vtkIdType aske
 
 /// vtkVisibilityVolume, and vtkScatteringImageFilter in Soft: cells of the extent, or of their bricks, that an edge of the shadow crosses at once.
 SHADOWCONESDATA_EXPORT std::string TooCoarse(const VisibilityGrid& grid, const char* remedy);
+/// vtkVisibilityVolume: what there is at this time, beyond automatic bounds, which are those of the first time.
+SHADOWCONESDATA_EXPORT std::string OutOfFirstBounds(const Box& scene);
 
 /// vtkShadowVolume.
 SHADOWCONESDATA_EXPORT std::string OccludersWithoutSurface(vtkIdType without, vtkIdType occluders);

@@ -64,6 +64,8 @@
 #include "ShadowConesFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string>
+
 class SHADOWCONESFILTERS_EXPORT vtkConeSetAccuracy : public vtkPolyDataAlgorithm
 {
 public:
@@ -149,7 +151,14 @@ private:
   vtkConeSetAccuracy(const vtkConeSetAccuracy&) = delete;
   void operator=(const vtkConeSetAccuracy&) = delete;
 
-  bool CheckParameters();
+  struct Inputs;
+  struct Outcome;
+
+  /// What is wrong with the parameters, as a sentence; empty where nothing is.
+  std::string CheckParameters() const;
+  bool ReadInputs(vtkInformationVector** inputVector, Inputs& in, std::string& error) const;
+  /// @return false where aborted.
+  bool Measure(Inputs& in, Outcome& out);
 
   vtkIdType NumberOfSamples = 50000;
   int NumberOfLightSamples = 64;

@@ -55,6 +55,15 @@
 
 #include <string>
 
+class vtkFieldData;
+
+namespace shadowcones
+{
+struct ConeSetInputs;
+struct ConeSetOptions;
+struct PieceRequest;
+} // namespace shadowcones
+
 class SHADOWCONESFILTERS_EXPORT vtkConeSetFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -85,11 +94,17 @@ public:
 
   enum TuningType
   {
-    MANUAL = 0,
-    CONSERVATIVE = 1,
-    PREVIEW = 2,
-    SOFT = 3,
-    AUTOMATIC = 4
+    Manual = 0,
+    Conservative = 1,
+    Preview = 2,
+    Soft = 3,
+    Automatic = 4,
+    // Older spelling.
+    MANUAL = Manual,
+    CONSERVATIVE = Conservative,
+    PREVIEW = Preview,
+    SOFT = Soft,
+    AUTOMATIC = Automatic
   };
   ///@{
   /// How the parameters below are chosen. Manual: as they are set. Automatic: Conservative where photon paths are connected, else
@@ -102,13 +117,13 @@ public:
   /// have nothing to teach a warning says so and bounds are made as Automatic does without paths. Default Automatic.
   vtkSetMacro(Tuning, int);
   vtkGetMacro(Tuning, int);                             ///< 0 Manual, 1 Conservative, 2 Preview, 3 Soft, 4 Automatic.
-  void SetTuningToManual() { this->SetTuning(MANUAL); } ///< Every parameter as it is set.
+  void SetTuningToManual() { this->SetTuning(Manual); } ///< Every parameter as it is set.
   /// Bounds: the least leak with few cones. Needs photon paths.
-  void SetTuningToConservative() { this->SetTuning(CONSERVATIVE); }
+  void SetTuningToConservative() { this->SetTuning(Conservative); }
   /// The shadow itself, as much lost as leaked. Needs photon paths.
-  void SetTuningToPreview() { this->SetTuning(PREVIEW); }
-  void SetTuningToSoft() { this->SetTuning(SOFT); } ///< Base discs as surfels for vtkConeSetProbe. Needs photon paths.
-  void SetTuningToAutomatic() { this->SetTuning(AUTOMATIC); } ///< Bounds from what is connected.
+  void SetTuningToPreview() { this->SetTuning(Preview); }
+  void SetTuningToSoft() { this->SetTuning(Soft); } ///< Base discs as surfels for vtkConeSetProbe. Needs photon paths.
+  void SetTuningToAutomatic() { this->SetTuning(Automatic); } ///< Bounds from what is connected.
   ///@}
 
   ///@{
@@ -162,9 +177,13 @@ public:
 
   enum ExpansionType
   {
-    MAXIMUM_DEVIATION = 0,
-    RADIUS_RATIO = 1,
-    LIGHT_GEOMETRY = 2
+    MaximumDeviation = 0,
+    RadiusRatio = 1,
+    LightGeometry = 2,
+    // Older spelling.
+    MAXIMUM_DEVIATION = MaximumDeviation,
+    RADIUS_RATIO = RadiusRatio,
+    LIGHT_GEOMETRY = LightGeometry
   };
   ///@{
   /// What the half angle comes from. MaximumDeviation: the largest angle between a vector and their mean (section 3.2.2).
@@ -173,11 +192,11 @@ public:
   vtkSetMacro(Expansion, int);
   vtkGetMacro(Expansion, int); ///< 0 MaximumDeviation, 1 RadiusRatio, 2 LightGeometry.
   /// The largest angle between a vector and their mean.
-  void SetExpansionToMaximumDeviation() { this->SetExpansion(MAXIMUM_DEVIATION); }
+  void SetExpansionToMaximumDeviation() { this->SetExpansion(MaximumDeviation); }
   /// From the disc of the vectors' ends over the base.
-  void SetExpansionToRadiusRatio() { this->SetExpansion(RADIUS_RATIO); }
+  void SetExpansionToRadiusRatio() { this->SetExpansion(RadiusRatio); }
   /// The outer penumbra cone of the base disc under the light.
-  void SetExpansionToLightGeometry() { this->SetExpansion(LIGHT_GEOMETRY); }
+  void SetExpansionToLightGeometry() { this->SetExpansion(LightGeometry); }
   ///@}
 
   ///@{
@@ -210,8 +229,11 @@ public:
 
   enum LeftoversType
   {
-    DISCARD = 0,
-    COVER = 1
+    Discard = 0,
+    Cover = 1,
+    // Older spelling.
+    DISCARD = Discard,
+    COVER = Cover
   };
   ///@{
   /// What becomes of vectors that no base took. Discard: they have no cone (section 3.2.1). Cover: they get cones of their own,
@@ -219,9 +241,9 @@ public:
   vtkSetMacro(Leftovers, int);
   vtkGetMacro(Leftovers, int); ///< 0 Discard, 1 Cover.
   /// Leave vectors that no base took without a cone, as in the paper.
-  void SetLeftoversToDiscard() { this->SetLeftovers(DISCARD); }
+  void SetLeftoversToDiscard() { this->SetLeftovers(Discard); }
   /// Give every vector a cone.
-  void SetLeftoversToCover() { this->SetLeftovers(COVER); }
+  void SetLeftoversToCover() { this->SetLeftovers(Cover); }
   ///@}
 
   ///@{
@@ -250,11 +272,19 @@ private:
   vtkConeSetFilter(const vtkConeSetFilter&) = delete;
   void operator=(const vtkConeSetFilter&) = delete;
 
+  struct Outcome; // what the filter made
+
   /// Names of the fitting parameters that were set and that tuning chooses itself.
   std::string ParametersNotUsed() const;
-  bool CheckRequest(bool hasPaths);
+  /// What is wrong with the parameters, or with what is connected, as a sentence; empty where nothing is.
+  std::string CheckRequest(bool hasPaths) const;
+  shadowcones::ConeSetOptions Options() const;
+  /// @return false where aborted.
+  bool Fit(const shadowcones::ConeSetInputs& inputs, bool prove, Outcome& outcome);
+  void WriteCones(const Outcome& outcome, const shadowcones::ConeSetInputs& inputs,
+    const shadowcones::PieceRequest& piece, vtkFieldData* inputData, vtkPolyData* output) const;
 
-  int Tuning = AUTOMATIC;
+  int Tuning = Automatic;
   int NumberOfNeighbors = 100;
   int NumberOfSectors = 20;
   int PointsPerRing = 16;
@@ -262,12 +292,12 @@ private:
   double VarianceThreshold = 1.6;
   double PlanarityThreshold = 0.0;
   bool CosineCorrection = true;
-  int Expansion = MAXIMUM_DEVIATION;
+  int Expansion = MaximumDeviation;
   double ExpansionFraction = 1.0;
   double RadiusScale = 1.0;
   double MaximumOverspill = 1.0;
   bool Overlap = false;
-  int Leftovers = COVER;
+  int Leftovers = Cover;
   bool Certify = true;
 };
 

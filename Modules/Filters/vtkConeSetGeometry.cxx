@@ -5,6 +5,8 @@
 #include "scConeSurface.h"
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
+#include "scParameterRanges.h"
+#include "scSentence.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -19,6 +21,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -46,7 +50,10 @@ public:
     return this->Points->InsertNextPoint(point.X, point.Y, point.Z);
   }
 
-  void AddPolygon(vtkIdType cone, std::initializer_list<vtkIdType> ids) { this->AddPolygon(cone, ids.size(), ids.begin()); }
+  void AddPolygon(vtkIdType cone, std::initializer_list<vtkIdType> ids)
+  {
+    this->AddPolygon(cone, ids.size(), ids.begin());
+  }
 
   void AddPolygon(vtkIdType cone, std::size_t count, const vtkIdType* ids)
   {
@@ -109,7 +116,7 @@ double AutomaticLength(vtkPolyData* coneSet, const std::vector<Cone>& cones, int
   {
     size = std::max(size, 10.0 * cones[i].BaseRadius);
   }
-  return (cut == vtkConeSetGeometry::CUT_LENGTH ? 1.0 : 4.0) * size;
+  return (cut == vtkConeSetGeometry::CutLength ? 1.0 : 4.0) * size;
 }
 } // anonymous namespace
 
@@ -128,68 +135,53 @@ int vtkConeSetGeometry::RequestInformation(
   return 1;
 }
 
-int vtkConeSetGeometry::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkConeSetGeometry::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   RequestWholeInputs(this, inputVector);
   return 1;
+}
+
+bool vtkConeSetGeometry::ReadCut(ConeCut& cut, std::string& error) const
+{
+  error = FirstOutOfRange(
+    { InRange("Resolution", this->Resolution, 3, 65536), OneOf("Cut", this->Cut, { "Length", "Plane", "Box" }),
+      { "Length", this->Length, this->Length >= 0.0, "0 (automatic) or above" } });
+  cut.Where = static_cast<ConeCut::Kind>(this->Cut);
+  cut.Length = this->Length;
+  const double* n = this->PlaneNormal;
+  cut.PlaneOrigin = { this->PlaneOrigin[0], this->PlaneOrigin[1], this->PlaneOrigin[2] };
+  cut.PlaneNormal = Normalized({ n[0], n[1], n[2] });
+  if (error.empty() && this->Cut == CutPlane && !(Dot(cut.PlaneNormal, cut.PlaneNormal) > 0.5))
+  {
+    error = Sentence("PlaneNormal is (", n[0], ", ", n[1], ", ", n[2], "): a plane needs a direction.");
+  }
+  const double* b = this->BoxBounds;
+  for (int axis = 0; axis < 3 && error.empty() && this->Cut == CutBox; ++axis)
+  {
+    if (!(b[2 * axis] <= b[2 * axis + 1])) // infinite ones are fine
+    {
+      error = Sentence(
+        "BoxBounds along ", "xyz"[axis], " run from ", b[2 * axis], " to ", b[2 * axis + 1], "; they must ascend.");
+    }
+  }
+  cut.Bounds = { { b[0], b[2], b[4] }, { b[1], b[3], b[5] } };
+  return error.empty();
 }
 
 int vtkConeSetGeometry::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const FilterRun run(this, request, inputVector, outputVector);
-  std::string error;
-  if (!run.AreInputsWhole(error))
-  {
-    vtkErrorMacro(<< error);
-    return 0;
-  }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-
   std::vector<Cone> cones;
-  if (!ReadConeSet(input, cones, error) || !CheckAttributes(input->GetPointData(), input->GetNumberOfPoints(), "point", error))
-  {
-    vtkErrorMacro(<< error);
-    return 0;
-  }
-  if (this->Resolution < 3 || this->Resolution > 65536)
-  {
-    vtkErrorMacro("Resolution is " << this->Resolution << "; a cone needs 3 to 65536 lines around it.");
-    return 0;
-  }
-  if (this->Cut < CUT_LENGTH || this->Cut > CUT_BOX)
-  {
-    vtkErrorMacro("Cut is " << this->Cut << "; it must be 0 (Length), 1 (Plane) or 2 (Box).");
-    return 0;
-  }
-  if (!(this->Length >= 0.0))
-  {
-    vtkErrorMacro("Length is " << this->Length << "; it must be 0 (automatic) or more.");
-    return 0;
-  }
-  for (int axis = 0; axis < 3 && this->Cut == CUT_BOX; ++axis)
-  {
-    if (!(this->BoxBounds[2 * axis] <= this->BoxBounds[2 * axis + 1]))
-    {
-      vtkErrorMacro("BoxBounds along " << "xyz"[axis] << " run from " << this->BoxBounds[2 * axis] << " to "
-        << this->BoxBounds[2 * axis + 1] << "; they must ascend.");
-      return 0;
-    }
-  }
   ConeCut cut;
-  cut.Where = static_cast<ConeCut::Kind>(this->Cut);
-  cut.Length = this->Length > 0.0 ? this->Length : AutomaticLength(input, cones, this->Cut);
-  cut.PlaneOrigin = { this->PlaneOrigin[0], this->PlaneOrigin[1], this->PlaneOrigin[2] };
-  cut.PlaneNormal = Normalized({ this->PlaneNormal[0], this->PlaneNormal[1], this->PlaneNormal[2] });
-  cut.Bounds = { { this->BoxBounds[0], this->BoxBounds[2], this->BoxBounds[4] },
-    { this->BoxBounds[1], this->BoxBounds[3], this->BoxBounds[5] } };
-  if (cut.Where == ConeCut::Kind::Plane && !(Dot(cut.PlaneNormal, cut.PlaneNormal) > 0.5))
+  std::string error;
+  if (!run.AreInputsWhole(error) || !ReadConeSet(input, cones, error) ||
+    !CheckAttributes(input->GetPointData(), input->GetNumberOfPoints(), "point", error) || !this->ReadCut(cut, error))
   {
-    vtkErrorMacro("PlaneNormal is (" << this->PlaneNormal[0] << ", " << this->PlaneNormal[1] << ", " << this->PlaneNormal[2]
-      << "): a plane needs a direction.");
-    return 0;
+    return run.Fail(error);
   }
+  cut.Length = cut.Length > 0.0 ? cut.Length : AutomaticLength(input, cones, this->Cut);
 
   SurfaceBuilder sides(input, vtkPolyData::GetData(outputVector, 0));
   SurfaceBuilder bases(input, vtkPolyData::GetData(outputVector, 1));
@@ -231,11 +223,8 @@ void vtkConeSetGeometry::PrintSelf(ostream& os, vtkIndent indent)
   static const char* const cuts[] = { "Length", "Plane", "Box" };
   os << indent << "Cut: " << (this->Cut >= 0 && this->Cut <= 2 ? cuts[this->Cut] : "invalid") << "\n";
   os << indent << "Length: " << this->Length << "\n";
-  os << indent << "PlaneOrigin: " << this->PlaneOrigin[0] << ", " << this->PlaneOrigin[1] << ", " << this->PlaneOrigin[2]
-     << "\n";
-  os << indent << "PlaneNormal: " << this->PlaneNormal[0] << ", " << this->PlaneNormal[1] << ", " << this->PlaneNormal[2]
-     << "\n";
-  os << indent << "BoxBounds: " << this->BoxBounds[0] << ", " << this->BoxBounds[1] << ", " << this->BoxBounds[2] << ", "
-     << this->BoxBounds[3] << ", " << this->BoxBounds[4] << ", " << this->BoxBounds[5] << "\n";
+  os << indent << "PlaneOrigin: " << Listed(this->PlaneOrigin, 3) << "\n";
+  os << indent << "PlaneNormal: " << Listed(this->PlaneNormal, 3) << "\n";
+  os << indent << "BoxBounds: " << Listed(this->BoxBounds, 6) << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
 }

@@ -22,6 +22,13 @@
 #include "ShadowConesFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string>
+
+namespace shadowcones
+{
+struct ConeCut;
+}
+
 class SHADOWCONESFILTERS_EXPORT vtkConeSetGeometry : public vtkPolyDataAlgorithm
 {
 public:
@@ -31,18 +38,22 @@ public:
 
   enum CutType
   {
-    CUT_LENGTH = 0,
-    CUT_PLANE = 1,
-    CUT_BOX = 2
+    CutLength = 0,
+    CutPlane = 1,
+    CutBox = 2,
+    // Older spelling.
+    CUT_LENGTH = CutLength,
+    CUT_PLANE = CutPlane,
+    CUT_BOX = CutBox
   };
   ///@{
   /// Where cones end. Length: at a height above their base. Plane: where their lines meet a plane. Box: where their lines leave
   /// a box. Default Length.
   vtkSetMacro(Cut, int);
-  vtkGetMacro(Cut, int);                              ///< 0 Length, 1 Plane, 2 Box.
-  void SetCutToLength() { this->SetCut(CUT_LENGTH); } ///< End cones at Length above their base.
-  void SetCutToPlane() { this->SetCut(CUT_PLANE); }   ///< End cones at the plane through PlaneOrigin with PlaneNormal.
-  void SetCutToBox() { this->SetCut(CUT_BOX); }       ///< End cones where they leave BoxBounds.
+  vtkGetMacro(Cut, int);                             ///< 0 Length, 1 Plane, 2 Box.
+  void SetCutToLength() { this->SetCut(CutLength); } ///< End cones at Length above their base.
+  void SetCutToPlane() { this->SetCut(CutPlane); }   ///< End cones at the plane through PlaneOrigin with PlaneNormal.
+  void SetCutToBox() { this->SetCut(CutBox); }       ///< End cones where they leave BoxBounds.
   ///@}
 
   ///@{
@@ -91,7 +102,10 @@ private:
   vtkConeSetGeometry(const vtkConeSetGeometry&) = delete;
   void operator=(const vtkConeSetGeometry&) = delete;
 
-  int Cut = CUT_LENGTH;
+  /// Where cones end, by the parameters. @return false, with a sentence in @p error.
+  bool ReadCut(shadowcones::ConeCut& cut, std::string& error) const;
+
+  int Cut = CutLength;
   double Length = 0.0;
   double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };
   double PlaneNormal[3] = { 0.0, 1.0, 0.0 };

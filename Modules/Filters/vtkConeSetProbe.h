@@ -50,6 +50,15 @@
 #include "ShadowConesFiltersModule.h"
 #include "vtkDataSetAlgorithm.h"
 
+#include <string>
+
+class vtkFieldData;
+
+namespace shadowcones
+{
+struct VisibilityResult;
+}
+
 class SHADOWCONESFILTERS_EXPORT vtkConeSetProbe : public vtkDataSetAlgorithm
 {
 public:
@@ -82,29 +91,35 @@ public:
 
   enum MethodType
   {
-    EXACT = 0,
-    SOFT = 1
+    Exact = 0,
+    Soft = 1,
+    // Older spelling.
+    EXACT = Exact,
+    SOFT = Soft
   };
   ///@{
   /// What hides the light. Exact: the mesh, asked inside cones only. Soft: the base discs of the cones. Default Exact.
   vtkSetMacro(Method, int);
   vtkGetMacro(Method, int);                           ///< 0 Exact, 1 Soft.
-  void SetMethodToExact() { this->SetMethod(EXACT); } ///< Ask the mesh, inside cones only.
-  void SetMethodToSoft() { this->SetMethod(SOFT); }   ///< Ask the base discs of the cones; needs no mesh.
+  void SetMethodToExact() { this->SetMethod(Exact); } ///< Ask the mesh, inside cones only.
+  void SetMethodToSoft() { this->SetMethod(Soft); }   ///< Ask the base discs of the cones; needs no mesh.
   ///@}
 
   enum AssociationType
   {
-    POINTS = 0,
-    CELLS = 1
+    Points = 0,
+    Cells = 1,
+    // Older spelling.
+    POINTS = Points,
+    CELLS = Cells
   };
   ///@{
   /// Where to ask: at points, or at the centres of cells; the arrays go to the data of the same. Default Points.
   vtkSetMacro(Association, int);
   vtkGetMacro(Association, int);                                  ///< 0 Points, 1 Cells.
-  void SetAssociationToPoints() { this->SetAssociation(POINTS); } ///< Ask at points; the arrays go to the point data.
+  void SetAssociationToPoints() { this->SetAssociation(Points); } ///< Ask at points; the arrays go to the point data.
   /// Ask at the centres of cells; the arrays go to the cell data.
-  void SetAssociationToCells() { this->SetAssociation(CELLS); }
+  void SetAssociationToCells() { this->SetAssociation(Cells); }
   ///@}
 
   ///@{
@@ -139,13 +154,19 @@ protected:
 
 private:
   /// True where parameters and inputs are there; else the error is reported.
-  bool CheckRequest(vtkDataObject* cones, bool hasLight, vtkDataObject* mesh);
+  struct Inputs;
+
+  bool ReadInputs(vtkInformationVector** inputVector, vtkFieldData* coneData, Inputs& in, std::string& error) const;
+  /// @return false where aborted.
+  bool Probe(const Inputs& in, shadowcones::VisibilityResult& result);
+  /// What is wrong with the parameters, or with what is connected, as a sentence; empty where nothing is.
+  std::string CheckRequest(vtkDataObject* cones, bool hasLight, vtkDataObject* mesh) const;
 
   vtkConeSetProbe(const vtkConeSetProbe&) = delete;
   void operator=(const vtkConeSetProbe&) = delete;
 
-  int Method = EXACT;
-  int Association = POINTS;
+  int Method = Exact;
+  int Association = Points;
   int NumberOfLightSamples = 64;
   bool UseNormals = true;
   int Seed = 1;

@@ -1,486 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLabelOccluders.h"
 
-#include "scFieldArrays.h"
 #include "scFilterRun.h"
-#include "scGhosts.h"
-#include "scLightData.h"
-#include "scMeshData.h"
-#include "scOccluderNames.h"
-#include "scOccluderTopology.h"
+#include "scLabelData.h"
+#include "scParameterRanges.h"
+#include "scSentence.h"
 #include "scWarnings.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-#include <array>
 #include <exception>
-#include <limits>
-#include <map>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace
 {
 
 using namespace shadowcones;
 
-/// What an occluder is called where nothing was given.
-std::string NumberAsName(int id)
-{
-  return std::to_string(id);
-}
-
-/// The mesh with what each triangle is labelled by.
-struct GivenMesh
-{
-  TriangleMesh Mesh;
-  std::vector<int> Labels;             ///< one a triangle, of Names; empty: none was given
-  std::vector<std::string> Names;      ///< by label
-  std::vector<vtkIdType> SourcePoints; ///< of each point; empty: the same
-  vtkIdType TriangulatedPolygons = 0;
-  vtkIdType DroppedPolygons = 0; ///< fewer than three corners
-  vtkIdType IgnoredCells = 0;
-  bool HasCells = false; ///< hidden ones too
-
-  vtkIdType SourcePoint(vtkIdType point) const
-  {
-    return this->SourcePoints.empty() ? point : this->SourcePoints[static_cast<std::size_t>(point)];
-  }
-};
-
-void CountCells(vtkPolyData* input, GivenMesh& given)
-{
-  const Ghosts ghosts(input->GetCellData());
-  vtkIdType cell = 0;
-  const auto isThere = [&ghosts](vtkIdType id) { return !ghosts.IsCellHidden(id) && !ghosts.IsCellDuplicate(id); };
-  for (; cell < input->GetNumberOfVerts() + input->GetNumberOfLines(); ++cell)
-  {
-    given.IgnoredCells += isThere(cell);
-  }
-  for (vtkIdType i = 0; i < input->GetNumberOfPolys(); ++i, ++cell)
-  {
-    const vtkIdType corners = input->GetPolys()->GetCellSize(i);
-    given.TriangulatedPolygons += isThere(cell) && corners > 3;
-    given.DroppedPolygons += isThere(cell) && corners < 3;
-  }
-  for (vtkIdType i = 0; i < input->GetNumberOfStrips(); ++i, ++cell)
-  {
-    const vtkIdType corners = input->GetStrips()->GetCellSize(i);
-    given.TriangulatedPolygons += isThere(cell) && corners >= 3;
-    given.DroppedPolygons += isThere(cell) && corners < 3;
-  }
-}
-
-bool ReadGivenMesh(vtkDataObject* input, GivenMesh& given, std::string& error)
-{
-  if (!ReadTriangles(input, given.Mesh, error))
-  {
-    return false;
-  }
-  for (const MeshBlock& block : given.Mesh.Blocks)
-  {
-    if (!CheckAttributes(block.Data->GetPointData(), block.Data->GetNumberOfPoints(), "point", error) ||
-      !CheckAttributes(block.Data->GetCellData(), block.Data->GetNumberOfCells(), "cell", error))
-    {
-      error = given.Mesh.Blocks.size() > 1 ? "Block " + block.Label() + ": " + error : error;
-      return false;
-    }
-    CountCells(block.Data, given);
-    given.HasCells = given.HasCells || block.Data->GetNumberOfCells() > 0;
-  }
-  return true;
-}
-
-/// Label by what the mesh says of itself: the ids that were given, or its blocks.
-void LabelByGiven(GivenMesh& given)
-{
-  given.Labels = given.Mesh.OccluderIds;
-  given.Names = given.Mesh.OccluderNames;
-}
-
-void LabelByBlock(GivenMesh& given)
-{
-  OccluderNumbers numbers;
-  for (const vtkIdType cell : given.Mesh.SourceCells)
-  {
-    const MeshBlock& block = given.Mesh.Blocks[given.Mesh.BlockOfCell(cell)];
-    given.Labels.push_back(
-      numbers.Of(std::to_string(block.Number), block.Name.empty() ? std::to_string(block.Number) : block.Name));
-  }
-  given.Names = std::move(numbers.Names);
-}
-
-/// Triangles of different labels share no point.
-void SplitPoints(GivenMesh& given)
-{
-  TriangleMesh& mesh = given.Mesh;
-  std::map<std::pair<vtkIdType, int>, vtkIdType> split;
-  std::vector<double> points;
-  for (std::size_t corner = 0; corner < mesh.Triangles.size(); ++corner)
-  {
-    const vtkIdType source = mesh.Triangles[corner];
-    const auto found = split.emplace(
-      std::make_pair(source, given.Labels[corner / 3]), static_cast<vtkIdType>(given.SourcePoints.size()));
-    if (found.second)
-    {
-      given.SourcePoints.push_back(source);
-      points.insert(points.end(), mesh.Points.begin() + 3 * source, mesh.Points.begin() + 3 * source + 3);
-    }
-    mesh.Triangles[corner] = found.first->second;
-  }
-  mesh.Points = std::move(points);
-}
-
-/// Label by a cell array of ids; below 0 are receivers, beside those of "OccluderId".
-bool LabelByArray(const std::string& name, GivenMesh& given, std::string& error)
-{
-  TriangleMesh& mesh = given.Mesh;
-  std::vector<std::vector<GivenId>> ids(mesh.Blocks.size());
-  for (std::size_t b = 0; b < ids.size(); ++b)
-  {
-    vtkPolyData* data = mesh.Blocks[b].Data;
-    vtkDataArray* array = nullptr;
-    if (data->GetNumberOfCells() > 0 &&
-      (!FindArray(
-         data->GetCellData(), "mesh", name.c_str(), 1, data->GetNumberOfCells(), Need::Required, array, error) ||
-        !ReadGivenIds(array, "cell", ids[b], error)))
-    {
-      error = "LabelBy is Array: " + error;
-      return false;
-    }
-  }
-  const bool named = name == "OccluderId" && !mesh.OccluderNames.empty();
-  OccluderNumbers numbers;
-  mesh.OccluderIds.resize(mesh.SourceCells.size(), 0);
-  for (std::size_t t = 0; t < mesh.SourceCells.size(); ++t)
-  {
-    const std::size_t block = mesh.BlockOfCell(mesh.SourceCells[t]);
-    const GivenId& id = ids[block][static_cast<std::size_t>(mesh.SourceCells[t] - mesh.Blocks[block].FirstCell)];
-    mesh.OccluderIds[t] = id.Receiver || mesh.OccluderIds[t] < 0 ? -1 : mesh.OccluderIds[t];
-    const std::string text = id.Text();
-    const std::string& called = named && mesh.OccluderIds[t] >= 0 ? mesh.OccluderNames[static_cast<std::size_t>(mesh.OccluderIds[t])] : text;
-    given.Labels.push_back(mesh.OccluderIds[t] < 0 ? -1 : numbers.Of(named ? std::to_string(mesh.OccluderIds[t]) : text, called));
-  }
-  given.Names = std::move(numbers.Names);
-  SplitPoints(given);
-  return true;
-}
-
-/// Attributes that all blocks with cells have, ready to be copied.
-class SharedAttributes
-{
-public:
-  template <typename GetAttributes>
-  SharedAttributes(
-    const std::vector<MeshBlock>& blocks, GetAttributes get, vtkIdType count, vtkDataSetAttributes* output)
-    : Output(output)
-  {
-    for (const MeshBlock& block : blocks)
-    {
-      this->Inputs.push_back(get(block.Data));
-      this->Numbers.push_back(this->Count);
-      if (block.Data->GetNumberOfCells() > 0)
-      {
-        this->Fields.IntersectFieldList(this->Inputs.back());
-        ++this->Count;
-      }
-    }
-    output->CopyNormalsOff();
-    output->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
-    output->CopyFieldOff("Normals");
-    output->CopyAllocate(this->Fields, count);
-    output->CopyNormalsOn();
-  }
-
-  void Copy(std::size_t block, vtkIdType from, vtkIdType to)
-  {
-    this->Output->CopyData(this->Fields, this->Inputs[block], this->Numbers[block], from, to);
-  }
-
-private:
-  vtkDataSetAttributes* Output;
-  vtkDataSetAttributes::FieldList Fields;
-  std::vector<vtkDataSetAttributes*> Inputs;
-  std::vector<int> Numbers; ///< of each block among those with cells
-  int Count = 0;
-};
-
-/// The normals of the points of all blocks, as floats; nullptr where a block with cells has none.
-class PointNormals
-{
-public:
-  explicit PointNormals(const GivenMesh& given)
-    : Given(given)
-  {
-    for (const MeshBlock& block : given.Mesh.Blocks)
-    {
-      vtkPointData* data = block.Data->GetPointData();
-      vtkDataArray* named = data->GetArray("Normals");
-      vtkDataArray* array = named ? named : data->GetNormals();
-      const bool fits = array && array->GetNumberOfComponents() == 3;
-      this->Arrays.push_back(fits ? array : nullptr);
-      this->All = this->All && (fits || block.Data->GetNumberOfCells() == 0);
-      this->Some = this->Some || fits;
-    }
-  }
-
-  bool Any() const { return this->All && this->Some; }
-  std::array<float, 3> At(vtkIdType point, bool turned) const
-  {
-    const vtkIdType source = this->Given.SourcePoint(point);
-    const std::size_t block = this->Given.Mesh.BlockOfPoint(source);
-    double normal[3];
-    this->Arrays[block]->GetTuple(source - this->Given.Mesh.Blocks[block].FirstPoint, normal);
-    const float sign = turned ? -1.0f : 1.0f;
-    return { sign * static_cast<float>(normal[0]), sign * static_cast<float>(normal[1]),
-      sign * static_cast<float>(normal[2]) };
-  }
-
-private:
-  const GivenMesh& Given;
-  std::vector<vtkDataArray*> Arrays;
-  bool All = true;
-  bool Some = false;
-};
-
-/// Where the corners of an output triangle come from in the input: welding and turning move them.
-std::array<vtkIdType, 3> SourceCorners(
-  const TriangleMesh& mesh, const OccluderTopology& topology, vtkIdType triangle, bool& turned)
-{
-  const auto at = [&mesh](vtkIdType id) {
-    return Vector3{ mesh.Points[3 * id], mesh.Points[3 * id + 1], mesh.Points[3 * id + 2] };
-  };
-  const vtkIdType* source = mesh.Triangles.data() + 3 * topology.SourceTriangles[triangle];
-  constexpr int orders[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
-  double least = std::numeric_limits<double>::infinity();
-  std::array<vtkIdType, 3> corners{ source[0], source[1], source[2] };
-  turned = false;
-  for (int k = 0; k < 6; ++k)
-  {
-    double distance = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      distance += Length(at(source[orders[k][c]]) - at(topology.Points[topology.Triangles[3 * triangle + c]]));
-    }
-    if (distance < least)
-    {
-      least = distance;
-      corners = { source[orders[k][0]], source[orders[k][1]], source[orders[k][2]] };
-      turned = k > 2;
-    }
-  }
-  return corners;
-}
-
-/// Points of the output: those of the topology that are used, once for each normal.
-class OutputPoints
-{
-public:
-  OutputPoints(std::size_t count, bool hasNormals)
-    : Heads(count, -1)
-    , HasNormals(hasNormals)
-  {
-  }
-
-  /// The entry of a topology point with that normal.
-  vtkIdType Add(vtkIdType point, const std::array<float, 3>& normal)
-  {
-    vtkIdType* link = &this->Heads[static_cast<std::size_t>(point)];
-    while (*link >= 0 && this->HasNormals && this->Entries[static_cast<std::size_t>(*link)].Normal != normal)
-    {
-      link = &this->Entries[static_cast<std::size_t>(*link)].Next;
-    }
-    if (*link < 0)
-    {
-      const auto added = static_cast<vtkIdType>(this->Entries.size());
-      *link = added;
-      this->Entries.push_back({ normal, -1, -1 });
-      return added;
-    }
-    return *link;
-  }
-
-  /// Number the entries in the order of the topology's points, and hand each to @p write.
-  template <typename Write>
-  void Finish(const Write& write)
-  {
-    vtkIdType count = 0;
-    for (std::size_t point = 0; point < this->Heads.size(); ++point)
-    {
-      for (vtkIdType k = this->Heads[point]; k >= 0; k = this->Entries[static_cast<std::size_t>(k)].Next)
-      {
-        Entry& entry = this->Entries[static_cast<std::size_t>(k)];
-        entry.Number = count++;
-        write(static_cast<vtkIdType>(point), entry.Number, entry.Normal);
-      }
-    }
-  }
-  vtkIdType Number(vtkIdType entry) const { return this->Entries[static_cast<std::size_t>(entry)].Number; }
-
-private:
-  struct Entry
-  {
-    std::array<float, 3> Normal;
-    vtkIdType Next;
-    vtkIdType Number;
-  };
-  std::vector<vtkIdType> Heads;
-  std::vector<Entry> Entries;
-  bool HasNormals;
-};
-
-/// Points of triangles [begin, end) with their attributes; @p corners gets the point of each corner.
-void WritePoints(const GivenMesh& given, const OccluderTopology& topology, vtkIdType begin, vtkIdType end,
-  vtkIdTypeArray* corners, vtkPolyData* output)
-{
-  const TriangleMesh& mesh = given.Mesh;
-  const PointNormals normals(given);
-  OutputPoints entries(topology.Points.size(), normals.Any());
-  for (vtkIdType t = begin; t < end; ++t)
-  {
-    bool turned = false;
-    std::array<vtkIdType, 3> sources{};
-    if (normals.Any())
-    {
-      sources = SourceCorners(mesh, topology, t, turned);
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      const std::array<float, 3> normal =
-        normals.Any() ? normals.At(sources[static_cast<std::size_t>(c)], turned) : std::array<float, 3>{};
-      corners->SetValue(3 * (t - begin) + c, entries.Add(topology.Triangles[3 * t + c], normal));
-    }
-  }
-
-  SharedAttributes shared(
-    mesh.Blocks, [](vtkPolyData* data) { return data->GetPointData(); }, 3 * (end - begin), output->GetPointData());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkFloatArray> outputNormals;
-  outputNormals->SetName("Normals");
-  outputNormals->SetNumberOfComponents(3);
-  entries.Finish(
-    [&](vtkIdType point, vtkIdType number, const std::array<float, 3>& normal)
-    {
-      const vtkIdType welded = topology.Points[point];
-      const vtkIdType source = given.SourcePoint(welded);
-      const std::size_t block = mesh.BlockOfPoint(source);
-      points->InsertNextPoint(mesh.Points.data() + 3 * welded);
-      outputNormals->InsertNextTypedTuple(normal.data());
-      shared.Copy(block, source - mesh.Blocks[block].FirstPoint, number);
-    });
-  for (vtkIdType corner = 0; corner < corners->GetNumberOfValues(); ++corner)
-  {
-    corners->SetValue(corner, entries.Number(corners->GetValue(corner)));
-  }
-  output->SetPoints(points);
-  if (normals.Any())
-  {
-    output->GetPointData()->SetNormals(outputNormals);
-  }
-}
-
-/// Triangles [begin, end) with their points and the attributes that came with them.
-void WriteTriangles(
-  const GivenMesh& given, const OccluderTopology& topology, vtkIdType begin, vtkIdType end, vtkPolyData* output)
-{
-  const TriangleMesh& mesh = given.Mesh;
-  vtkNew<vtkIdTypeArray> offsets;
-  vtkNew<vtkIdTypeArray> connectivity;
-  offsets->SetNumberOfValues(end - begin + 1);
-  connectivity->SetNumberOfValues(3 * (end - begin));
-  WritePoints(given, topology, begin, end, connectivity, output);
-
-  SharedAttributes shared(
-    mesh.Blocks, [](vtkPolyData* data) { return data->GetCellData(); }, end - begin, output->GetCellData());
-  std::vector<int> occluderIds;
-  for (vtkIdType t = begin; t < end; ++t)
-  {
-    const vtkIdType cell = mesh.SourceCells[topology.SourceTriangles[t]];
-    const std::size_t block = mesh.BlockOfCell(cell);
-    offsets->SetValue(t - begin, 3 * (t - begin));
-    occluderIds.push_back(topology.OccluderIds[t]);
-    shared.Copy(block, cell - mesh.Blocks[block].FirstCell, t - begin);
-  }
-  offsets->SetValue(end - begin, 3 * (end - begin));
-  vtkNew<vtkCellArray> triangles;
-  triangles->SetData(offsets, connectivity);
-  output->SetPolys(triangles);
-  AddIntArray(output->GetCellData(), "OccluderId", 1, occluderIds);
-}
-
-/// What was given to the triangles of each occluder, or else its number.
-std::vector<std::string> NamesOf(const GivenMesh& given, const OccluderTopology& topology)
-{
-  constexpr std::size_t most = 4; // names of one occluder
-  std::vector<std::vector<int>> labels(topology.Closed.size());
-  for (std::size_t t = 0; t < topology.OccluderIds.size() && !given.Labels.empty(); ++t)
-  {
-    const int id = topology.OccluderIds[t];
-    const int label = given.Labels[static_cast<std::size_t>(topology.SourceTriangles[t])];
-    if (id >= 0 && label >= 0)
-    {
-      std::vector<int>& own = labels[static_cast<std::size_t>(id)];
-      if (own.size() <= most && std::find(own.begin(), own.end(), label) == own.end())
-      {
-        own.push_back(label);
-      }
-    }
-  }
-  std::vector<std::string> names;
-  for (const std::vector<int>& own : labels)
-  {
-    std::string name = own.empty() ? NumberAsName(static_cast<int>(names.size())) : std::string();
-    for (std::size_t k = 0; k < own.size(); ++k)
-    {
-      name += (k > 0 ? ", " : "") + (k < most ? given.Names[static_cast<std::size_t>(own[k])] : std::string("..."));
-    }
-    names.push_back(name);
-  }
-  return names;
-}
-
-void WriteReport(const GivenMesh& given, const OccluderTopology& topology, vtkPolyData* output)
-{
-  vtkFieldData* data = output->GetFieldData();
-  const auto add = [data](const char* name, vtkIdType value) { AddIdArray(data, name, { value }); };
-  add("NumberOfOccluders", static_cast<vtkIdType>(topology.Closed.size()));
-  add("TriangulatedPolygons", given.TriangulatedPolygons);
-  add("WeldedPoints", topology.WeldedPoints);
-  add("DroppedCells", topology.DegenerateTriangles + topology.DuplicateTriangles + given.DroppedPolygons);
-  add("IgnoredCells", given.IgnoredCells);
-  add("FlippedTriangles", topology.FlippedTriangles);
-  add("NonManifoldEdges", topology.NonManifoldEdges);
-  add("BoundaryEdges", topology.BoundaryEdges);
-  AddByteArray(data, "OccluderClosed", topology.Closed);
-  WriteOccluderNames(NamesOf(given, topology), data);
-  RemoveLightFieldData(data);
-}
-
 OccluderLabel LabelOf(int labelBy, vtkDataObject* input)
 {
-  if (labelBy == vtkLabelOccluders::AUTOMATIC)
+  if (labelBy == vtkLabelOccluders::Automatic)
   {
     return HasBlocks(input) ? OccluderLabel::Block : OccluderLabel::Component;
   }
-  const bool block = labelBy == vtkLabelOccluders::BLOCK || labelBy == vtkLabelOccluders::ARRAY;
+  const bool block = labelBy == vtkLabelOccluders::Block || labelBy == vtkLabelOccluders::Array;
   return block                            ? OccluderLabel::Block
-    : labelBy == vtkLabelOccluders::WHOLE ? OccluderLabel::Whole
+    : labelBy == vtkLabelOccluders::Whole ? OccluderLabel::Whole
                                           : OccluderLabel::Component;
 }
 
@@ -514,58 +62,27 @@ int vtkLabelOccluders::RequestUpdateExtent(vtkInformation*, vtkInformationVector
   return 1;
 }
 
-int vtkLabelOccluders::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+bool vtkLabelOccluders::ReadInput(vtkDataObject* input, GivenMesh& given, std::string& error)
 {
-  const FilterRun run(this, request, inputVector, outputVector);
-  std::string error;
-  if (!run.AreInputsWhole(error))
+  error = FirstOutOfRange({ OneOf("LabelBy", this->LabelBy, { "Automatic", "Component", "Block", "Whole", "Array" }),
+    { "WeldTolerance", this->WeldTolerance, this->WeldTolerance >= 0.0 && this->WeldTolerance <= 0.1, "in 0..0.1" } });
+  if (!error.empty() || !ReadGivenMesh(input, given, error))
   {
-    vtkErrorMacro(<< error);
-    return 0;
-  }
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-
-  const auto fail = [this, output](const std::string& message)
-  {
-    EmptyOutput(output);
-    vtkErrorMacro(<< message);
-    return 0;
-  };
-  if (this->LabelBy < AUTOMATIC || this->LabelBy > ARRAY)
-  {
-    return fail("LabelBy is " + std::to_string(this->LabelBy) +
-      ": it must be Automatic, Component, Block, Whole or Array (0 to 4).");
-  }
-  if (!(this->WeldTolerance >= 0.0 && this->WeldTolerance <= 0.1))
-  {
-    return fail("WeldTolerance is " + std::to_string(this->WeldTolerance) + ": it must lie between 0 and 0.1.");
-  }
-  GivenMesh given;
-  if (!ReadGivenMesh(input, given, error))
-  {
-    return fail(error);
+    return false;
   }
   const bool empty = given.Mesh.Points.empty() && given.IgnoredCells == 0;
   const bool allHidden = given.Mesh.NumberOfCells == 0 && given.HasCells;
   if (given.Mesh.SourceCells.empty() && !empty && !allHidden)
   {
-    return fail("The mesh has no polygons: only polygons and strips cast shadows.");
+    error = "The mesh has no polygons: only polygons and strips cast shadows.";
+    return false;
   }
-  OccluderTopologyOptions options;
-  options.WeldTolerance = this->WeldTolerance;
-  options.LabelBy = LabelOf(this->LabelBy, input);
-  options.Orient = this->Orient;
-  if (this->LabelBy == ARRAY)
+  if (this->LabelBy == Array)
   {
     const char* array = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-    if (!LabelByArray(array ? array : "OccluderId", given, error))
-    {
-      return fail(error);
-    }
+    return LabelByArray(array ? array : "OccluderId", given, error);
   }
-  else if (options.LabelBy == OccluderLabel::Block)
+  if (LabelOf(this->LabelBy, input) == OccluderLabel::Block)
   {
     LabelByBlock(given);
   }
@@ -573,35 +90,51 @@ int vtkLabelOccluders::RequestData(
   {
     LabelByGiven(given);
   }
+  return true;
+}
+
+int vtkLabelOccluders::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const FilterRun run(this, request, inputVector, outputVector);
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  GivenMesh given;
+  std::string error;
+  if (!run.AreInputsWhole(error) || !this->ReadInput(input, given, error))
+  {
+    return run.Fail(error);
+  }
+  OccluderTopologyOptions options;
+  options.WeldTolerance = this->WeldTolerance;
+  options.LabelBy = LabelOf(this->LabelBy, input);
+  options.Orient = this->Orient;
   OccluderTopology topology;
   try
   {
     if (!BuildOccluderTopology(given.Mesh.View(), given.Labels.data(), options, MonitorOf(this), topology))
     {
-      EmptyOutput(output);
-      return 1; // aborted
+      return 1; // aborted: the output stays empty
     }
   }
   catch (const std::exception& exception)
   {
-    return fail(exception.what());
+    return run.Fail(exception.what());
   }
-  if (topology.SourceTriangles.empty() && !given.Mesh.SourceCells.empty())
+  if (topology.InputTriangles.empty() && !given.Mesh.SourceCells.empty())
   {
-    return fail("No polygon of the mesh has an area: all " + std::to_string(topology.DegenerateTriangles) +
-      " triangles are degenerate.");
+    return run.Fail(
+      Sentence("No polygon of the mesh has an area: all ", topology.DegenerateTriangles, " triangles are degenerate."));
   }
 
   const PieceRequest piece = RequestedPiece(request, outputVector);
-  const auto count = static_cast<vtkIdType>(topology.SourceTriangles.size());
-  WriteTriangles(given, topology, piece.Begin(count), piece.End(count), output);
-  WriteReport(given, topology, output);
+  const auto count = static_cast<vtkIdType>(topology.InputTriangles.size());
+  WriteLabelledMesh(given, topology, piece.Begin(count), piece.End(count), vtkPolyData::GetData(outputVector));
   if (piece.Piece == 0) // every piece reads the whole mesh
   {
     const vtkIdType dropped = topology.DegenerateTriangles + topology.DuplicateTriangles;
-    shadowcones::Warnings warnings;
-    warnings.Add(shadowcones::TrianglesDropped(dropped, count + dropped));
-    warnings.Add(shadowcones::CoarseCoordinates(input));
+    Warnings warnings;
+    warnings.Add(TrianglesDropped(dropped, count + dropped));
+    warnings.Add(CoarseCoordinates(input));
     warnings.Say(this);
   }
   return 1;

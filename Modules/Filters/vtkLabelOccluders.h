@@ -58,6 +58,13 @@
 #include "ShadowConesFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string>
+
+namespace shadowcones
+{
+struct GivenMesh;
+}
+
 class SHADOWCONESFILTERS_EXPORT vtkLabelOccluders : public vtkPolyDataAlgorithm
 {
 public:
@@ -68,11 +75,17 @@ public:
   /// What makes one occluder.
   enum LabelByType
   {
-    AUTOMATIC = 0, ///< Block for a multiblock or a collection, Component for anything else
-    COMPONENT = 1, ///< triangles that share a point, also over the borders of blocks
-    BLOCK = 2,     ///< one occluder for each block that has triangles; points of different blocks are not welded
-    WHOLE = 3,     ///< all triangles are one occluder
-    ARRAY = 4      ///< one occluder for each id of a cell array; triangles of different ids share no point
+    Automatic = 0, ///< Block for a multiblock or a collection, Component for anything else
+    Component = 1, ///< triangles that share a point, also over the borders of blocks
+    Block = 2,     ///< one occluder for each block that has triangles; points of different blocks are not welded
+    Whole = 3,     ///< all triangles are one occluder
+    Array = 4,     ///< one occluder for each id of a cell array; triangles of different ids share no point
+    // Older spelling.
+    AUTOMATIC = Automatic,
+    COMPONENT = Component,
+    BLOCK = Block,
+    WHOLE = Whole,
+    ARRAY = Array
   };
 
   ///@{
@@ -83,11 +96,11 @@ public:
   vtkSetMacro(LabelBy, int);
   vtkGetMacro(LabelBy, int); ///< 0 Automatic, 1 Component, 2 Block, 3 Whole, 4 Array.
   /// Block for composite inputs, Component for anything else.
-  void SetLabelByToAutomatic() { this->SetLabelBy(AUTOMATIC); }
-  void SetLabelByToComponent() { this->SetLabelBy(COMPONENT); } ///< Triangles that share a point are one occluder.
-  void SetLabelByToBlock() { this->SetLabelBy(BLOCK); }         ///< Each block that has triangles is one occluder.
-  void SetLabelByToWhole() { this->SetLabelBy(WHOLE); }         ///< All triangles are one occluder.
-  void SetLabelByToArray() { this->SetLabelBy(ARRAY); }         ///< Each id of the chosen cell array is one occluder.
+  void SetLabelByToAutomatic() { this->SetLabelBy(Automatic); }
+  void SetLabelByToComponent() { this->SetLabelBy(Component); } ///< Triangles that share a point are one occluder.
+  void SetLabelByToBlock() { this->SetLabelBy(Block); }         ///< Each block that has triangles is one occluder.
+  void SetLabelByToWhole() { this->SetLabelBy(Whole); }         ///< All triangles are one occluder.
+  void SetLabelByToArray() { this->SetLabelBy(Array); }         ///< Each id of the chosen cell array is one occluder.
   ///@}
 
   ///@{
@@ -125,7 +138,10 @@ private:
   vtkLabelOccluders(const vtkLabelOccluders&) = delete;
   void operator=(const vtkLabelOccluders&) = delete;
 
-  int LabelBy = AUTOMATIC;
+  /// Check the parameters, read the mesh and label it. @return false, with a sentence in @p error.
+  bool ReadInput(vtkDataObject* input, shadowcones::GivenMesh& given, std::string& error);
+
+  int LabelBy = Automatic;
   double WeldTolerance = 1e-9;
   bool Orient = true;
 };

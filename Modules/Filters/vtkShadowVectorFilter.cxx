@@ -4,14 +4,18 @@
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
 #include "scFingerprints.h"
+#include "scInputPorts.h"
 #include "scLightData.h"
 #include "scMeshData.h"
 #include "scOccluderNames.h"
+#include "scParameterRanges.h"
 #include "scSceneLights.h"
+#include "scSentence.h"
 #include "scShadowVectors.h"
 #include "scVectorData.h"
 #include "scWarnings.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -23,6 +27,30 @@
 
 using namespace shadowcones;
 
+namespace
+{
+constexpr int lightPort = 1;
+
+/// What is to be said of the photons of a whole run.
+Warnings ReportPhotons(const TriangleMesh& mesh, const ShadowVectorOptions& options, const ShadowVectorResult& result)
+{
+  const auto& states = result.Paths.States;
+  const auto paths = static_cast<vtkIdType>(states.size());
+  const auto blocked = static_cast<vtkIdType>(std::count(states.begin(), states.end(), 1));
+  const auto vectors = static_cast<vtkIdType>(result.Vectors.OccluderIds.size());
+  const std::string few = TargetNotMet(vectors, options.TargetNumberOfVectors, result.NumberOfPhotons);
+  // None is emitted where no light leaves towards an occluder.
+  const vtkIdType photons = result.NumberOfPhotons > 0 ? result.NumberOfPhotons : options.NumberOfPhotons;
+  Warnings warnings;
+  warnings.Add(few.empty() && !mesh.Triangles.empty() ? NothingInShadow(photons, blocked) : few);
+  warnings.Add(NothingLit(paths, blocked, result.MeanSolidAngle));
+  warnings.Add(TooFewVectors(result.NumberOfScarce, result.MinimumVectors));
+  warnings.Add(blocked > 0 ? OccludersWithoutVectors(mesh.OccluderIds, result.Vectors.OccluderIds) : std::string());
+  return warnings;
+}
+
+} // namespace
+
 vtkStandardNewMacro(vtkShadowVectorFilter);
 
 vtkShadowVectorFilter::vtkShadowVectorFilter()
@@ -31,34 +59,11 @@ vtkShadowVectorFilter::vtkShadowVectorFilter()
   this->SetNumberOfOutputPorts(3);
 }
 
-void vtkShadowVectorFilter::SetLightConnection(vtkAlgorithmOutput* light)
-{
-  this->SetInputConnection(1, light);
-}
+scDefineLightPort(vtkShadowVectorFilter, lightPort)
 
-void vtkShadowVectorFilter::SetLightData(vtkDataObject* light)
+  int vtkShadowVectorFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  this->SetInputData(1, light);
-}
-
-void vtkShadowVectorFilter::AddLightConnection(vtkAlgorithmOutput* light)
-{
-  this->AddInputConnection(1, light);
-}
-
-void vtkShadowVectorFilter::AddLightData(vtkDataObject* light)
-{
-  this->AddInputDataInternal(1, light);
-}
-
-void vtkShadowVectorFilter::RemoveAllLights()
-{
-  this->RemoveAllInputConnections(1);
-}
-
-int vtkShadowVectorFilter::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 1)
+  if (port == lightPort)
   {
     FillLightPortInformation(info);
     return 1;
@@ -82,84 +87,67 @@ int vtkShadowVectorFilter::RequestUpdateExtent(
   return 1;
 }
 
-namespace
+std::string vtkShadowVectorFilter::CheckParameters() const
 {
-
-/// What is to be said of the photons of a whole run.
-Warnings ReportPhotons(const TriangleMesh& mesh, const ShadowVectorOptions& options, const ShadowVectorResult& result)
-{
-  const auto& states = result.Paths.States;
-  const auto paths = static_cast<vtkIdType>(states.size());
-  const auto blocked = static_cast<vtkIdType>(std::count(states.begin(), states.end(), 1));
-  const auto vectors = static_cast<vtkIdType>(result.Vectors.OccluderIds.size());
-  const std::string few = TargetNotMet(vectors, options.TargetNumberOfVectors, result.NumberOfPhotons);
-  // None is emitted where no light leaves towards an occluder.
-  const vtkIdType photons = result.NumberOfPhotons > 0 ? result.NumberOfPhotons : options.NumberOfPhotons;
-  Warnings warnings;
-  warnings.Add(few.empty() && !mesh.Triangles.empty() ? NothingInShadow(photons, blocked) : few);
-  warnings.Add(NothingLit(paths, blocked, result.MeanSolidAngle));
-  warnings.Add(blocked > 0 ? OccludersWithoutVectors(mesh.OccluderIds, result.Vectors.OccluderIds) : std::string());
-  return warnings;
+  if (this->NumberOfPhotons < 0 || this->TargetNumberOfVectors < 0)
+  {
+    return Sentence("NumberOfPhotons (", this->NumberOfPhotons, ") and TargetNumberOfVectors (",
+      this->TargetNumberOfVectors, ") must be 0 or more.");
+  }
+  return FirstOutOfRange({ { "MinimumVectorsPerOccluder", this->MinimumVectorsPerOccluder * 1.0,
+                             this->MinimumVectorsPerOccluder >= 0, "0 or above" },
+    OneOf("Storage", this->Storage, { "BackSide", "HitPoint" }) });
 }
 
-} // namespace
+bool vtkShadowVectorFilter::ReadInputs(
+  vtkInformationVector** inputVector, TriangleMesh& mesh, SceneLights& lights, std::string& error) const
+{
+  if (inputVector[lightPort]->GetNumberOfInformationObjects() == 0)
+  {
+    error = "No light on input port 1: connect a vtkAreaLightSource or a polygon mesh with SetLightConnection.";
+    return false;
+  }
+  if (!ReadLights(inputVector[lightPort], lights, error) ||
+    !ReadTriangles(vtkDataObject::GetData(inputVector[0]), mesh, error))
+  {
+    return false;
+  }
+  if (mesh.Triangles.empty() && mesh.NumberOfCells > 0)
+  {
+    error = Sentence("The mesh on input port 0 has ", mesh.NumberOfCells,
+      " cells and no polygon: shadows need surfaces. Run vtkDataSetSurfaceFilter, or triangulate, before "
+      "vtkLabelOccluders.");
+    return false;
+  }
+  if (mesh.OccluderIds.empty() && !mesh.Triangles.empty())
+  {
+    error = "The mesh on input port 0 has no cell array \"OccluderId\": run vtkLabelOccluders on it first.";
+    return false;
+  }
+  error = this->CheckParameters();
+  return error.empty();
+}
 
 int vtkShadowVectorFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const FilterRun run(this, request, inputVector, outputVector);
   std::string error;
-  if (!run.AreInputsWhole(error))
-  {
-    vtkErrorMacro(<< error);
-    return 0;
-  }
-  vtkDataObject* meshInput = vtkDataObject::GetData(inputVector[0]);
-
   TriangleMesh mesh;
   SceneLights lights;
-  if (inputVector[1]->GetNumberOfInformationObjects() == 0)
+  if (!run.AreInputsWhole(error) || !this->ReadInputs(inputVector, mesh, lights, error))
   {
-    vtkErrorMacro("No light on input port 1: connect a vtkAreaLightSource or a polygon mesh with SetLightConnection.");
-    return 0;
+    return run.Fail(error);
   }
-  if (!ReadLights(inputVector[1], lights, error) || !ReadTriangles(meshInput, mesh, error))
-  {
-    vtkErrorMacro(<< error);
-    return 0;
-  }
-  if (mesh.Triangles.empty() && mesh.NumberOfCells > 0)
-  {
-    vtkErrorMacro("The mesh on input port 0 has " << mesh.NumberOfCells
-      << " cells and no polygon: shadows need surfaces. Run vtkDataSetSurfaceFilter, or triangulate, before vtkLabelOccluders.");
-    return 0;
-  }
-  if (mesh.OccluderIds.empty() && !mesh.Triangles.empty())
-  {
-    vtkErrorMacro("The mesh on input port 0 has no cell array \"OccluderId\": run vtkLabelOccluders on it first.");
-    return 0;
-  }
-  if (this->NumberOfPhotons < 0 || this->TargetNumberOfVectors < 0)
-  {
-    vtkErrorMacro("NumberOfPhotons (" << this->NumberOfPhotons << ") and TargetNumberOfVectors ("
-      << this->TargetNumberOfVectors << ") must be 0 or more.");
-    return 0;
-  }
-  if (this->Storage != BACK_SIDE && this->Storage != HIT_POINT)
-  {
-    vtkErrorMacro("Storage is " << this->Storage << "; it must be 0 (BackSide) or 1 (HitPoint).");
-    return 0;
-  }
-
   ShadowVectorOptions options;
   options.NumberOfPhotons = this->NumberOfPhotons;
   options.TargetNumberOfVectors = mesh.Triangles.empty() ? 0 : this->TargetNumberOfVectors;
+  options.MinimumVectorsPerOccluder = this->MinimumVectorsPerOccluder;
   options.Storage = static_cast<VectorStorage>(this->Storage);
   options.Seed = static_cast<std::uint64_t>(this->Seed);
   const PieceRequest piece = RequestedPiece(request, outputVector);
   options.Piece = piece.Piece;
   options.NumberOfPieces = piece.NumberOfPieces;
-
   ShadowVectorResult result;
   try
   {
@@ -171,34 +159,30 @@ int vtkShadowVectorFilter::RequestData(
   }
   catch (const std::exception& exception)
   {
-    vtkErrorMacro("Tracing photons failed: " << exception.what());
-    return 0;
-  }
-  if (piece.NumberOfPieces == 1)
-  {
-    ReportPhotons(mesh, options, result).Say(this);
+    return run.Fail(Sentence("Tracing photons failed: ", exception.what()));
   }
 
-  for (const std::string& warning : lights.Warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
-  const std::uint64_t fingerprint = CastersFingerprintOf(mesh);
   WriteShadowVectors(result.Vectors, vtkPolyData::GetData(outputVector, 0));
   WritePhotonPaths(result.Paths, vtkPolyData::GetData(outputVector, 1));
   WriteShadowPhotons(result.Photons, vtkPolyData::GetData(outputVector, 2));
+  const std::uint64_t fingerprint = CastersFingerprintOf(mesh);
   for (int port = 0; port < 3; ++port)
   {
     vtkPolyData* output = vtkPolyData::GetData(outputVector, port);
-    AddIdArray(output->GetFieldData(), "NumberOfPhotons", { result.NumberOfPhotons });
-    AddDoubleArray(output->GetFieldData(), "MeanSolidAngle", 1, { result.MeanSolidAngle });
-    AddIntArray(output->GetFieldData(), "Seed", 1, { this->Seed });
-    AddIntArray(output->GetFieldData(), "Storage", 1, { this->Storage });
-    AddIdArray(output->GetFieldData(), "PhotonsOfLights", result.PhotonsOfLights);
-    WriteOccluderNames(mesh.OccluderNames, output->GetFieldData());
-    WriteFingerprints(castersFingerprint, { fingerprint }, output->GetFieldData());
+    vtkFieldData* field = output->GetFieldData();
+    AddIdArray(field, "NumberOfPhotons", { result.NumberOfPhotons });
+    AddDoubleArray(field, "MeanSolidAngle", 1, { result.MeanSolidAngle });
+    AddIntArray(field, "Seed", 1, { this->Seed });
+    AddIntArray(field, "Storage", 1, { this->Storage });
+    AddIdArray(field, "NumberOfAimedPhotons", { result.NumberOfAimedPhotons });
+    AddIdArray(field, "PhotonsOfLights", result.PhotonsOfLights);
+    WriteOccluderNames(mesh.OccluderNames, field);
+    WriteFingerprints(castersFingerprint, { fingerprint }, field);
     WriteLights(lights.Lights, output);
   }
+  Warnings warnings = piece.NumberOfPieces == 1 ? ReportPhotons(mesh, options, result) : Warnings();
+  warnings.Add(lights.Warnings);
+  warnings.Say(this);
   return 1;
 }
 
@@ -207,6 +191,7 @@ void vtkShadowVectorFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfPhotons: " << this->NumberOfPhotons << "\n";
   os << indent << "TargetNumberOfVectors: " << this->TargetNumberOfVectors << "\n";
-  os << indent << "Storage: " << (this->Storage == BACK_SIDE ? "BackSide" : "HitPoint") << "\n";
+  os << indent << "MinimumVectorsPerOccluder: " << this->MinimumVectorsPerOccluder << "\n";
+  os << indent << "Storage: " << (this->Storage == BackSide ? "BackSide" : "HitPoint") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

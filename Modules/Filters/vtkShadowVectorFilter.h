@@ -48,6 +48,14 @@
 #include "ShadowConesFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string>
+
+namespace shadowcones
+{
+struct SceneLights;
+struct TriangleMesh;
+} // namespace shadowcones
+
 class SHADOWCONESFILTERS_EXPORT vtkShadowVectorFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -73,16 +81,28 @@ public:
   ///@}
 
   ///@{
-  /// Emit photons until so many vectors are stored (the last photon may store a few more); 0: emit NumberOfPhotons.
+  /// Emit photons until so many vectors are stored (the last photon may store a few more, aimed ones some per cent); 0: emit NumberOfPhotons.
   /// Gives up, with a warning, after 1000 photons a vector. Default 0.
   vtkSetMacro(TargetNumberOfVectors, vtkIdType);
   vtkGetMacro(TargetNumberOfVectors, vtkIdType); ///< Vectors to store; 0: as many as NumberOfPhotons give.
   ///@}
 
+  ///@{
+  /// Vectors that every occluder is to have of every light, 0 or more; 0: off. Photons are aimed at occluders that would have
+  /// fewer, small or far ones, with some lit ones beside them; "Power" stays right. Never more than an even share of the target,
+  /// or of half the photons, of which they are taken. Where hardly any photon would meet an occluder every one gets its even
+  /// share. An occluder that light does not reach has none. Default 32.
+  vtkSetMacro(MinimumVectorsPerOccluder, int);
+  vtkGetMacro(MinimumVectorsPerOccluder, int); ///< Vectors that every occluder is to have of every light; 0: off.
+  ///@}
+
   enum StorageType
   {
-    BACK_SIDE = 0,
-    HIT_POINT = 1
+    BackSide = 0,
+    HitPoint = 1,
+    // Older spelling.
+    BACK_SIDE = BackSide,
+    HIT_POINT = HitPoint
   };
   ///@{
   /// Where a vector is stored. BackSide: at the exit of the solid that was entered, at the hit itself where the occluder is an
@@ -91,9 +111,9 @@ public:
   vtkSetMacro(Storage, int);
   vtkGetMacro(Storage, int); ///< 0 BackSide, 1 HitPoint.
   /// Store vectors where light would leave the occluder, as in the paper.
-  void SetStorageToBackSide() { this->SetStorage(BACK_SIDE); }
+  void SetStorageToBackSide() { this->SetStorage(BackSide); }
   /// Store vectors where light meets the occluder: for bounds.
-  void SetStorageToHitPoint() { this->SetStorage(HIT_POINT); }
+  void SetStorageToHitPoint() { this->SetStorage(HitPoint); }
   ///@}
 
   ///@{
@@ -102,8 +122,12 @@ public:
   vtkGetMacro(Seed, int); ///< Number that chooses the photons.
   ///@}
 
-  /// Store vectors as the paper does (section 3.1): at the back side of the occluder.
-  void SetToPaper() { this->SetStorageToBackSide(); }
+  /// Store vectors as the paper does (section 3.1): at the back side of the occluder, of photons aimed at all occluders alike.
+  void SetToPaper()
+  {
+    this->SetStorageToBackSide();
+    this->SetMinimumVectorsPerOccluder(0);
+  }
 
 protected:
   vtkShadowVectorFilter();
@@ -118,9 +142,16 @@ private:
   vtkShadowVectorFilter(const vtkShadowVectorFilter&) = delete;
   void operator=(const vtkShadowVectorFilter&) = delete;
 
+  /// What is wrong with the parameters, as a sentence; empty where nothing is.
+  std::string CheckParameters() const;
+  /// @return false, with a sentence in @p error, where something is missing or wrong.
+  bool ReadInputs(vtkInformationVector** inputVector, shadowcones::TriangleMesh& mesh, shadowcones::SceneLights& lights,
+    std::string& error) const;
+
   vtkIdType NumberOfPhotons = 40000;
   vtkIdType TargetNumberOfVectors = 0;
-  int Storage = HIT_POINT;
+  int MinimumVectorsPerOccluder = 32;
+  int Storage = HitPoint;
   int Seed = 1;
 };
 

@@ -2,11 +2,14 @@
 #include "vtkShadowVolume.h"
 
 #include "scConeData.h"
-#include "scConeField.h"
+#include "scConeDistanceField.h"
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
 #include "scLightData.h"
 #include "scOptionalBounds.h"
+#include "scParameterRanges.h"
+#include "scRegularGrid.h"
+#include "scSentence.h"
 #include "scUmbraField.h"
 #include "scWarnings.h"
 
@@ -62,7 +65,7 @@ class SolidBuilder
 {
 public:
   /// Contour the field's zero; @p values is changed.
-  void AddSurface(const FieldGrid& grid, std::vector<float>& values, const SurfaceKey& key)
+  void AddSurface(const RegularGrid& grid, std::vector<float>& values, const SurfaceKey& key)
   {
     const double nearest = smallestShare * std::min({ grid.Spacing.X, grid.Spacing.Y, grid.Spacing.Z });
     for (float& value : values)
@@ -98,7 +101,7 @@ public:
   SolidBuilder() { this->Points->SetDataTypeToDouble(); }
 
 private:
-  void Append(vtkPolyData* surface, const FieldGrid& grid, const SurfaceKey& key)
+  void Append(vtkPolyData* surface, const RegularGrid& grid, const SurfaceKey& key)
   {
     const vtkIdType first = this->Points->GetNumberOfPoints();
     for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
@@ -157,13 +160,13 @@ std::string CheckRegion(const Box& region, int resolution)
 struct Solid
 {
   Box Region;
-  std::function<bool(const FieldGrid& grid, const Monitor& monitor, float* values)> Sample;
+  std::function<bool(const RegularGrid& grid, const Monitor& monitor, float* values)> Sample;
 };
 
 Solid UnionOfCones(const std::vector<Cone>& cones, ConeBound bound, double length, const Box& bounds)
 {
-  const ConeField field(cones, bound, length, bounds);
-  return { field.Region(), [field](const FieldGrid& grid, const Monitor& monitor, float* values) {
+  const ConeDistanceField field(cones, bound, length, bounds);
+  return { field.Region(), [field](const RegularGrid& grid, const Monitor& monitor, float* values) {
             return field.Sample(grid, monitor, values);
           } };
 }
@@ -174,7 +177,7 @@ Solid JointUmbra(const std::vector<Cone>& cones, const Light& light, double leng
   const Monitor& monitor)
 {
   const UmbraField field(cones, light, length, bounds);
-  const ConeField inner(cones, ConeBound::Inner, length, bounds);
+  const ConeDistanceField inner(cones, ConeBound::Inner, length, bounds);
   Solid solid;
   solid.Region = field.Region();
   if (!solid.Region.Empty() && CheckRegion(solid.Region, resolution).empty())
@@ -185,7 +188,7 @@ Solid JointUmbra(const std::vector<Cone>& cones, const Light& light, double leng
   {
     solid.Region.Add(inner.Region());
   }
-  solid.Sample = [field, inner, region = solid.Region](const FieldGrid& grid, const Monitor& part, float* values)
+  solid.Sample = [field, inner, region = solid.Region](const RegularGrid& grid, const Monitor& part, float* values)
   {
     std::vector<float> alone(static_cast<std::size_t>(grid.NumberOfPoints()));
     if (!field.Sample(grid, region, part, values) || !inner.Sample(grid, Monitor{ {}, part.Aborted }, alone.data()))
@@ -199,8 +202,7 @@ Solid JointUmbra(const std::vector<Cone>& cones, const Light& light, double leng
 }
 
 /// The exact shape of every light that cones are of, from the field data of the cone set.
-bool ReadLightsOf(
-  vtkPolyData* coneSet, const std::vector<Cone>& cones, std::vector<Light>& lights, std::string& error)
+bool ReadLightsOf(vtkPolyData* coneSet, const std::vector<Cone>& cones, std::vector<Light>& lights, std::string& error)
 {
   if (!ReadLightShapes(coneSet->GetFieldData(), lights, error))
   {
@@ -218,6 +220,29 @@ bool ReadLightsOf(
             "InnerCones, or cones of a light of vtkAreaLightSource.";
   }
   return known;
+}
+
+/// Sample a solid and add its surface. @return false, with what it needs in @p error where it is too large, or aborted.
+bool Contour(const Solid& solid, const SurfaceKey& occluder, int resolution, const Monitor& monitor,
+  SolidBuilder& surfaces, std::string& error)
+{
+  if (solid.Region.Empty())
+  {
+    return true;
+  }
+  error = CheckRegion(solid.Region, resolution);
+  if (!error.empty())
+  {
+    return false;
+  }
+  const RegularGrid grid = GridOver(solid.Region, resolution);
+  std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
+  if (!solid.Sample(grid, monitor, values.data()))
+  {
+    return false;
+  }
+  surfaces.AddSurface(grid, values, occluder);
+  return true;
 }
 
 double DiagonalOfBases(const std::vector<Cone>& cones)
@@ -261,27 +286,9 @@ int vtkShadowVolume::RequestUpdateExtent(vtkInformation*, vtkInformationVector**
 
 std::string vtkShadowVolume::CheckParameters() const
 {
-  std::ostringstream fault;
-  const double* b = this->Bounds;
-  if (this->Resolution < 4 || this->Resolution > 1024)
-  {
-    fault << "Resolution is " << this->Resolution << "; it must be from 4 to 1024.";
-  }
-  else if (this->Umbra < INNER_CONES || this->Umbra > BASE_DISCS)
-  {
-    fault << "Umbra is " << this->Umbra << "; it must be 0 (InnerCones) or 1 (BaseDiscs).";
-  }
-  else if (!(this->Length >= 0.0 && std::isfinite(this->Length)))
-  {
-    fault << "Length is " << this->Length << "; it must be finite and 0 or more.";
-  }
-  else if (this->HasBounds() &&
-    !(b[0] < b[1] && b[2] < b[3] && b[4] < b[5] && std::all_of(b, b + 6, [](double x) { return std::isfinite(x); })))
-  {
-    fault << "Bounds are " << b[0] << ", " << b[1] << ", " << b[2] << ", " << b[3] << ", " << b[4] << ", " << b[5]
-          << "; on each axis they must be finite and go from less to more.";
-  }
-  return fault.str();
+  return FirstOutOfRange(
+    { InRange("Resolution", this->Resolution, 4, 1024), OneOf("Umbra", this->Umbra, { "InnerCones", "BaseDiscs" }),
+      { "Length", this->Length, this->Length >= 0.0 && std::isfinite(this->Length), "0 or above and finite" } });
 }
 
 int vtkShadowVolume::RequestData(
@@ -291,32 +298,27 @@ int vtkShadowVolume::RequestData(
   std::string error;
   if (!run.AreInputsWhole(error))
   {
-    vtkErrorMacro(<< error);
-    return 0;
+    return run.Fail(error);
   }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-
   std::vector<Cone> cones;
+  Box bounds;
   error = this->CheckParameters();
-  if (!error.empty() || !ReadConeSet(input, cones, error))
+  if (!error.empty() || (this->HasBounds() && !ReadSolidBounds("Bounds", this->Bounds, bounds, error)) ||
+    !ReadConeSet(input, cones, error))
   {
-    vtkErrorMacro(<< error);
-    return 0;
+    return run.Fail(error);
   }
-  const double* b = this->Bounds;
-  const Box bounds = this->HasBounds() ? Box{ { b[0], b[2], b[4] }, { b[1], b[3], b[5] } } : Box{};
   const double length = this->Length > 0.0 ? this->Length : this->HasBounds() ? HUGE_VAL : DiagonalOfBases(cones);
   if (!cones.empty() && !(length > 0.0))
   {
-    vtkErrorMacro("The base discs of the cone set have no extent to take a length from: set Length or Bounds.");
-    return 0;
+    return run.Fail("The base discs of the cone set have no extent to take a length from: set Length or Bounds.");
   }
 
   std::vector<Light> lights;
-  if (!cones.empty() && this->Umbra == BASE_DISCS && !ReadLightsOf(input, cones, lights, error))
+  if (!cones.empty() && this->Umbra == BaseDiscs && !ReadLightsOf(input, cones, lights, error))
   {
-    vtkErrorMacro(<< error);
-    return 0;
+    return run.Fail(error);
   }
 
   const Groups groups = GroupCones(cones, this->PerOccluder);
@@ -334,38 +336,21 @@ int vtkShadowVolume::RequestData(
       const double steps = static_cast<double>(2 * (end - begin));
       const Monitor part = monitor.Part((i - 2 * begin) / steps, (i - 2 * begin + 1) / steps);
       const auto light = static_cast<std::size_t>(std::max(group.first.first, 0));
-      const Solid solid = i % 2 && this->Umbra == BASE_DISCS
+      const Solid solid = i % 2 && this->Umbra == BaseDiscs
         ? JointUmbra(group.second, lights[light], length, bounds, this->Resolution, part.Part(0.0, 0.3))
         : UnionOfCones(group.second, i % 2 ? ConeBound::Inner : ConeBound::Outer, length, bounds);
-      if (part.IsAborted())
+      if (part.IsAborted() || !Contour(solid, group.first, this->Resolution, part.Part(0.3, 1.0), solids[i % 2], error))
       {
-        return 1; // the outputs stay empty
+        return error.empty() ? 1 // aborted: the outputs stay empty
+                             : run.Fail(Sentence("The ", i % 2 ? "inner" : "outer", " bound of occluder ",
+                                 group.first.second, " needs ", error));
       }
-      if (solid.Region.Empty())
-      {
-        continue;
-      }
-      error = CheckRegion(solid.Region, this->Resolution);
-      if (!error.empty())
-      {
-        vtkErrorMacro(
-          "The " << (i % 2 ? "inner" : "outer") << " bound of occluder " << group.first.second << " needs " << error);
-        return 0;
-      }
-      const FieldGrid grid = GridOver(solid.Region, this->Resolution);
-      std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
-      if (!solid.Sample(grid, part.Part(0.3, 1.0), values.data()))
-      {
-        return 1; // aborted: the outputs stay empty
-      }
-      solids[i % 2].AddSurface(grid, values, group.first);
-      withSurface += i % 2 == 0 && solids[0].EndsWith(group.first.second) ? 1 : 0;
+      withSurface += i % 2 == 0 && !solid.Region.Empty() && solids[0].EndsWith(group.first.second) ? 1 : 0;
     }
   }
   catch (const std::exception& exception)
   {
-    vtkErrorMacro("Contouring the cones failed: " << exception.what());
-    return 0;
+    return run.Fail(Sentence("Contouring the cones failed: ", exception.what()));
   }
   Warnings warnings;
   warnings.Add(OccludersWithoutSurface(end - begin - withSurface, end - begin));
@@ -380,15 +365,13 @@ int vtkShadowVolume::RequestData(
 void vtkShadowVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const double* b = this->Bounds;
   os << indent << "Resolution: " << this->Resolution << "\n";
-  os << indent << "Bounds: " << b[0] << ", " << b[1] << ", " << b[2] << ", " << b[3] << ", " << b[4] << ", " << b[5]
-     << "\n";
+  os << indent << "Bounds: " << Listed(this->Bounds, 6) << "\n";
   os << indent << "Length: " << this->Length << "\n";
   os << indent << "Umbra: "
-     << (this->Umbra == INNER_CONES     ? "InnerCones"
-            : this->Umbra == BASE_DISCS ? "BaseDiscs"
-                                        : "invalid")
+     << (this->Umbra == InnerCones     ? "InnerCones"
+            : this->Umbra == BaseDiscs ? "BaseDiscs"
+                                       : "invalid")
      << "\n";
   os << indent << "PerOccluder: " << (this->PerOccluder ? "on" : "off") << "\n";
 }

@@ -67,8 +67,11 @@ public:
 
   enum UmbraType
   {
-    INNER_CONES = 0,
-    BASE_DISCS = 1
+    InnerCones = 0,
+    BaseDiscs = 1,
+    // Older spelling.
+    INNER_CONES = InnerCones,
+    BASE_DISCS = BaseDiscs
   };
   ///@{
   /// What the inner bound is. InnerCones: the union of the inner cones, what each base disc alone puts in full shadow;
@@ -77,9 +80,9 @@ public:
   /// gaps between the discs let light through. It needs the light's exact shape in the field data and takes longer.
   /// Default InnerCones.
   vtkSetMacro(Umbra, int);
-  vtkGetMacro(Umbra, int);                                     ///< 0 InnerCones, 1 BaseDiscs.
-  void SetUmbraToInnerCones() { this->SetUmbra(INNER_CONES); } ///< What each base disc alone puts in full shadow.
-  void SetUmbraToBaseDiscs() { this->SetUmbra(BASE_DISCS); }   ///< What all base discs of an occluder hide together.
+  vtkGetMacro(Umbra, int);                                    ///< 0 InnerCones, 1 BaseDiscs.
+  void SetUmbraToInnerCones() { this->SetUmbra(InnerCones); } ///< What each base disc alone puts in full shadow.
+  void SetUmbraToBaseDiscs() { this->SetUmbra(BaseDiscs); }   ///< What all base discs of an occluder hide together.
   ///@}
 
   ///@{
@@ -103,12 +106,13 @@ private:
   void operator=(const vtkShadowVolume&) = delete;
 
   bool HasBounds() const;
+  /// What is wrong with the parameters, as a sentence; empty where nothing is.
   std::string CheckParameters() const;
 
   int Resolution = 64;
   double Bounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Length = 0.0;
-  int Umbra = INNER_CONES;
+  int Umbra = InnerCones;
   bool PerOccluder = true;
 };
 

@@ -35,8 +35,8 @@ public:
     this->Copy.resize(static_cast<std::size_t>(array->GetNumberOfTuples()) * components);
     for (std::size_t i = 0; i < this->Copy.size(); ++i)
     {
-      this->Copy[i] = static_cast<float>(array->GetComponent(
-        static_cast<vtkIdType>(i / components), static_cast<int>(i % components)));
+      this->Copy[i] = static_cast<float>(
+        array->GetComponent(static_cast<vtkIdType>(i / components), static_cast<int>(i % components)));
     }
     this->Values = this->Copy.data();
   }
@@ -92,8 +92,8 @@ double FindExposure(vtkImageData* image, const std::vector<double>& wavelengthsI
   {
     for (const std::array<int, 4>& square : ExposureSquares(size[0], size[1]))
     {
-      AppendLuminances(extent, square, first.Data() + k * slice,
-        withoutLamp ? second.Data() + k * slice : nullptr, weights, luminances);
+      AppendLuminances(extent, square, first.Data() + k * slice, withoutLamp ? second.Data() + k * slice : nullptr,
+        weights, luminances);
     }
   }
   return ExposureOf(std::move(luminances));

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scImageReport.h"
 
+#include "scScatteringImage.h"
+#include "scScatteringOptions.h"
+#include "scWarnings.h"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -12,7 +16,15 @@ namespace
 /// Guided exceeds the goal by no more than this where it is not stopped, and by about so much stops short of the maximum.
 constexpr double goalSlack = 1.5;
 constexpr double nearlyAll = 0.9;
-} // namespace
+
+struct PixelCounts
+{
+  vtkIdType Pixels = 0;
+  vtkIdType Bright = 0;    ///< with light of any kind
+  vtkIdType InMedium = 0;  ///< whose ray loses light in the medium
+  vtkIdType Missed = 0;    ///< Guided: sampling ended above the error goal
+  double WorstError = 0.0; ///< of those
+};
 
 PixelCounts CountPixels(const ScatteringImage& image, const ScatteringOptions& options)
 {
@@ -37,15 +49,7 @@ PixelCounts CountPixels(const ScatteringImage& image, const ScatteringOptions& o
   return counts;
 }
 
-vtkIdType CountCasters(const TriangleMesh& mesh)
-{
-  if (mesh.OccluderIds.empty()) // without ids there are no receivers
-  {
-    return static_cast<vtkIdType>(mesh.Triangles.size() / 3);
-  }
-  return std::count_if(mesh.OccluderIds.begin(), mesh.OccluderIds.end(), [](auto id) { return id >= 0; });
-}
-
+/// Does any light get lost in the medium?
 bool Attenuates(const Medium& medium)
 {
   const auto positive = [](double sigma) { return sigma > 0.0; };
@@ -53,7 +57,8 @@ bool Attenuates(const Medium& medium)
     std::any_of(medium.SigmaA.begin(), medium.SigmaA.end(), positive);
 }
 
-double ShareBeyond(const Box& box, const VisibilityGrid& grid)
+/// The share of a box that lies outside a visibility volume, 0..1; 0 for a flat box.
+double FractionBeyond(const Box& box, const VisibilityGrid& grid)
 {
   const std::array<int, 3>& n = grid.Dimensions;
   const Vector3 far = grid.Vertex(n[0] - 1, n[1] - 1, n[2] - 1);
@@ -70,6 +75,38 @@ double ShareBeyond(const Box& box, const VisibilityGrid& grid)
     inside *= std::max(to - from, 0.0) / length;
   }
   return 1.0 - inside;
+}
+
+} // namespace
+
+void ReportImage(const ImageScene& scene, const ScatteringImage& image, bool whole, Warnings& warnings)
+{
+  const ScatteringOptions& options = scene.Options;
+  const PixelCounts counts = CountPixels(image, options);
+  if (options.Mode == ScatteringMode::Volume)
+  {
+    warnings.Add(MediumBeyondVolume(FractionBeyond(scene.Medium.Bounds, scene.Visibility.front())));
+  }
+  if (options.Mode == ScatteringMode::Soft)
+  {
+    for (const VisibilityGrid& grid : scene.Visibility)
+    {
+      warnings.Add(TooCoarse(grid,
+        "Raise SoftDimensions, or take a vtkVisibilityVolume of Method Soft, which refines such cells, and Mode "
+        "Volume."));
+    }
+  }
+  if (options.Mode == ScatteringMode::Guided && options.RelativeErrorGoal > 0.0)
+  {
+    warnings.Add(
+      GoalNotMet(counts.InMedium, counts.Missed, options.RelativeErrorGoal, counts.WorstError, options.MaximumSamples));
+  }
+  warnings.Add(ThickSteps(image.NumberOfThickRays, counts.Pixels, image.MarchOpticalDepth, options.NumberOfSteps));
+  if (whole)
+  {
+    warnings.Add(MediumNotSeen(Attenuates(scene.Medium) ? counts.Pixels : 0, counts.InMedium));
+    warnings.Add(NothingSeen(counts.Pixels, counts.Bright));
+  }
 }
 
 } // namespace shadowcones

@@ -8,29 +8,14 @@
 
 #include "scImageScene.h"
 
-#include "vtkType.h"
-
 namespace shadowcones
 {
 
-struct PixelCounts
-{
-  vtkIdType Pixels = 0;
-  vtkIdType Bright = 0;   ///< with light of any kind
-  vtkIdType InMedium = 0; ///< whose ray loses light in the medium
-  vtkIdType Missed = 0;   ///< Guided: sampling ended above the error goal
-  double WorstError = 0.0; ///< of those
-};
-PixelCounts CountPixels(const ScatteringImage& image, const ScatteringOptions& options);
-
-/// Triangles that cast shadows.
-vtkIdType CountCasters(const TriangleMesh& mesh);
-
-/// Does any light get lost in the medium?
-bool Attenuates(const Medium& medium);
-
-/// The share of a box that lies outside a visibility volume, 0..1; 0 for a flat box.
-double ShareBeyond(const Box& box, const VisibilityGrid& grid);
+/**
+ * What is to be said of an image of the scene: pixels that miss the goal, grids too coarse, steps too thick, and where it is
+ * the @p whole image that there is nothing in it.
+ */
+void ReportImage(const ImageScene& scene, const ScatteringImage& image, bool whole, Warnings& warnings);
 
 } // namespace shadowcones
 

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scImageScene.h"
 
+#include "scCone.h"
 #include "scConeData.h"
+#include "scConeHierarchy.h"
 #include "scDensityData.h"
 #include "scFingerprints.h"
 #include "scImageOutput.h"
 #include "scMeshData.h"
 #include "scOccluderNames.h"
 #include "scOptionalBounds.h"
+#include "scViewCamera.h"
 #include "scVisibilityData.h"
 
+#include "scRenderScattering.h"
+#include "scScatteringScene.h"
+#include "vtkCamera.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformationVector.h"
@@ -17,6 +23,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
 #include <utility>
 
 namespace shadowcones
@@ -49,16 +57,52 @@ void CompareCasters(const ImageInputs& inputs, ImageScene& scene)
     }
     else if (input.Data)
     {
-      const std::string warning = CompareFingerprints(castersFingerprint, input.Data->GetFieldData(),
-        scene.CastersFingerprints, input.Name, "casters than those of the mesh on input port 0");
-      if (!warning.empty())
-      {
-        scene.Warnings.push_back(warning);
-      }
+      scene.Said.Add(CompareFingerprints(castersFingerprint, input.Data->GetFieldData(), scene.CastersFingerprints,
+        input.Name, "casters than those of the mesh on input port 0"));
     }
   }
 }
+
+/// What is to be said of the cones, before any is used.
+void WarnOfCones(const ImageInputs& inputs, ImageScene& scene)
+{
+  const ScatteringMode mode = scene.Options.Mode;
+  scene.Said.Add(EmptyConeSet(static_cast<vtkIdType>(scene.Cones.size()), CountCasters(scene.Mesh)));
+  if (mode == ScatteringMode::Medium || mode == ScatteringMode::Guided || mode == ScatteringMode::Volume)
+  {
+    scene.Said.Add(TooManyDiscarded(inputs.Cones->GetFieldData()));
+  }
+}
+
+/// A grid for each light. @return false where aborted.
+bool FillSoftGrids(const std::vector<std::vector<Cone>>& conesOf, const VisibilityGridOptions& options,
+  const Monitor& monitor, ImageScene& scene)
+{
+  const auto count = static_cast<double>(conesOf.size());
+  for (std::size_t k = 0; k < conesOf.size(); ++k)
+  {
+    const auto done = static_cast<double>(k);
+    if (!FillVisibilityGrid(conesOf[k], scene.Lights.Lights[k], nullptr, scene.Medium.Bounds, options,
+          monitor.Part(done / count, (done + 1.0) / count), scene.Visibility[k]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 } // anonymous namespace
+
+ImageScene::ImageScene() = default;
+ImageScene::~ImageScene() = default;
+
+vtkIdType CountCasters(const TriangleMesh& mesh)
+{
+  if (mesh.OccluderIds.empty()) // without ids there are no receivers
+  {
+    return static_cast<vtkIdType>(mesh.Triangles.size() / 3);
+  }
+  return std::count_if(mesh.OccluderIds.begin(), mesh.OccluderIds.end(), [](auto id) { return id >= 0; });
+}
 
 bool CheckInputs(const ImageInputs& inputs, ScatteringMode mode, std::string& error)
 {
@@ -134,8 +178,9 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
     AssignCones(inputs.Cones, scene.Lights, scene.Cones);
   }
   scene.Visibility.resize(scene.Lights.Lights.size());
+  std::string bricks;
   if (mode == ScatteringMode::Volume &&
-    (!ReadVisibilityGrids(inputs.Visibility, scene.Visibility, error, scene.Warning) ||
+    (!ReadVisibilityGrids(inputs.Visibility, scene.Visibility, error, bricks) ||
       !AssignGrids(inputs.Visibility->GetFieldData(), scene.Lights, scene.Visibility, error)))
   {
     error = "Visibility volume (input port 3): " + error;
@@ -146,14 +191,20 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
     error = "Density (input port 4): " + error;
     return false;
   }
+  scene.Said.Add(bricks);
   CompareCasters(inputs, scene);
-  scene.Fog.Density = inputs.Density ? &scene.Density : nullptr;
+  scene.Said.Add(scene.Lights.Warnings);
+  if (scene.HasCones)
+  {
+    WarnOfCones(inputs, scene);
+  }
+  scene.Medium.Density = inputs.Density ? &scene.Density : nullptr;
   return true;
 }
 
 bool FindMediumBounds(const double bounds[6], ImageScene& scene, std::string& error)
 {
-  Box& box = scene.Fog.Bounds;
+  Box& box = scene.Medium.Bounds;
   if (AreUnsetBounds(bounds))
   {
     Box inside = scene.MeshBounds;
@@ -181,6 +232,52 @@ bool FindMediumBounds(const double bounds[6], ImageScene& scene, std::string& er
     }
   }
   return error.empty();
+}
+
+bool ChooseCamera(vtkCamera* given, const int resolution[2], ImageScene& scene, std::string& error)
+{
+  if (given)
+  {
+    scene.UsedCamera->DeepCopy(given);
+  }
+  else
+  {
+    LookAtFront(scene.MeshBounds.Empty() ? scene.Medium.Bounds : scene.MeshBounds, scene.UsedCamera);
+  }
+  return ReadCamera(scene.UsedCamera, resolution, scene.Camera, error);
+}
+
+bool RenderScene(ImageScene& scene, const std::vector<std::array<int, 4>>& extents, const Monitor& monitor,
+  std::vector<ScatteringImage>& images)
+{
+  constexpr double shareOfSoft = 0.4; // of the progress: filling its grids
+  const bool isSoft = scene.Options.Mode == ScatteringMode::Soft;
+  const OccluderScene occluders(scene.Mesh.View());
+  const std::vector<Light>& lights = scene.Lights.Lights;
+  const std::vector<std::vector<Cone>> conesOf = ConesOfLights(scene.Cones, lights.size());
+  scene.Soft.Method = VisibilityMethod::Soft;
+  scene.Soft.Seed = scene.Options.Seed;
+  if (isSoft && !FillSoftGrids(conesOf, scene.Soft, monitor.Part(0.0, shareOfSoft), scene))
+  {
+    return false;
+  }
+  // Surfaces outside the medium lie in shadow too.
+  Box bounds = scene.Medium.Bounds;
+  bounds.Add(scene.MeshBounds);
+  const double length = scene.ConeLength > 0.0 ? scene.ConeLength : HUGE_VAL;
+  const bool usesGrid = isSoft || scene.Options.Mode == ScatteringMode::Volume;
+  std::vector<std::unique_ptr<ConeHierarchy>> cones(lights.size());
+  std::vector<ScatteringScene> scenes;
+  for (std::size_t k = 0; k < lights.size(); ++k)
+  {
+    if (scene.HasCones && !isSoft)
+    {
+      cones[k] = std::make_unique<ConeHierarchy>(conesOf[k], bounds, length);
+    }
+    scenes.push_back(
+      { occluders, lights[k], scene.Medium, scene.Camera, cones[k].get(), usesGrid ? &scene.Visibility[k] : nullptr });
+  }
+  return RenderScattering(scenes, scene.Options, extents, monitor.Part(isSoft ? shareOfSoft : 0.0, 1.0), images);
 }
 
 } // namespace shadowcones

@@ -11,13 +11,19 @@
 #include "scMedium.h"
 #include "scMeshData.h"
 #include "scScatteringImage.h"
+#include "scScatteringOptions.h"
 #include "scSceneLights.h"
 #include "scVisibilityGrid.h"
+#include "scWarnings.h"
 
+#include "vtkNew.h"
+
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+class vtkCamera;
 class vtkDataArray;
 class vtkDataObject;
 class vtkImageData;
@@ -41,6 +47,11 @@ struct ImageInputs
 /// All that is rendered. It is not to be moved: the medium points to the density.
 struct ImageScene
 {
+  ImageScene();
+  ~ImageScene();
+  ImageScene(const ImageScene&) = delete;
+  ImageScene& operator=(const ImageScene&) = delete;
+
   TriangleMesh Mesh;
   Box MeshBounds;
   SceneLights Lights;
@@ -48,17 +59,15 @@ struct ImageScene
   std::vector<Cone> Cones;
   std::vector<VisibilityGrid> Visibility; ///< one a light; Volume: as read; Soft: to be filled
   DensityGrid Density;
-  Medium Fog;
-  Camera Eye;
+  shadowcones::Medium Medium;
+  shadowcones::Camera Camera;
+  vtkNew<vtkCamera> UsedCamera; ///< as written to the field data
   ScatteringOptions Options;
-  std::string Warning; ///< of the inputs; empty where all is well
+  VisibilityGridOptions Soft; ///< of the grids that Soft fills: Dimensions and NumberOfLightSamples
+  double ConeLength = 0.0;    ///< from their base, up to which cones count; 0: not cut
   std::vector<std::string> OccluderNames;
   std::vector<std::uint64_t> CastersFingerprints;
-  std::vector<std::string> Warnings; ///< inputs that do not belong together
-
-  ImageScene() = default;
-  ImageScene(const ImageScene&) = delete;
-  ImageScene& operator=(const ImageScene&) = delete;
+  Warnings Said; ///< of the inputs
 };
 
 /// Is everything connected that the mode needs? @return false, with a sentence in @p error that says what to connect.
@@ -70,11 +79,24 @@ bool CheckInputs(const ImageInputs& inputs, ScatteringMode mode, std::string& er
  */
 bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error);
 
+/// Triangles that cast shadows.
+vtkIdType CountCasters(const TriangleMesh& mesh);
+
 /**
  * The box of the medium, from @p bounds or, where these are not set, from what there is in the scene.
  * @return false, with a sentence in @p error.
  */
 bool FindMediumBounds(const double bounds[6], ImageScene& scene, std::string& error);
+
+/**
+ * The camera to render with: @p given, or one that looks at the front of the mesh, or without one at the medium.
+ * @return false, with a sentence in @p error.
+ */
+bool ChooseCamera(vtkCamera* given, const int resolution[2], ImageScene& scene, std::string& error);
+
+/// Render extents of the image: i from, to, j from, to. In Soft its grids are filled first. @return false where aborted.
+bool RenderScene(ImageScene& scene, const std::vector<std::array<int, 4>>& extents, const Monitor& monitor,
+  std::vector<ScatteringImage>& images);
 
 } // namespace shadowcones
 

@@ -11,6 +11,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 class vtkDataObject;
@@ -33,6 +35,12 @@ struct InputStamp
   }
 };
 
+struct ImageScene;
+struct ScatteringImage;
+
+/// Is that extent the whole image?
+bool IsWhole(const int extent[6], const int resolution[2]);
+
 struct KeptImage
 {
   vtkSmartPointer<vtkImageData> Pixels; ///< all arrays but "RGB"; nullptr: none
@@ -43,6 +51,15 @@ struct KeptImage
   void DropIfOld(vtkInformationVector** inputs, int numberOfPorts, vtkMTimeType parametersChanged);
   void Drop();
   bool HoldsPixels(const int extent[6]) const;
+
+  /// Keep an image of the scene, which took so long to render.
+  void KeepPixels(const ScatteringImage& image, const ImageScene& scene, const int extent[6], double seconds);
+  /// What is still to be rendered: the extent that is asked for, then those that the exposure of the whole image is found from.
+  std::vector<std::array<int, 4>> MissingExtents(
+    const int extent[6], const int resolution[2], bool automaticExposure) const;
+  /// Find the exposure from the extents that were rendered for it, if any were: those from the @p first on.
+  void KeepExposure(
+    const std::vector<std::array<int, 4>>& extents, const std::vector<ScatteringImage>& images, std::size_t first);
 
 private:
   std::vector<InputStamp> Inputs;

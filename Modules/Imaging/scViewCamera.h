@@ -6,8 +6,8 @@
 #ifndef scViewCamera_h
 #define scViewCamera_h
 
+#include "scBox.h"
 #include "scCamera.h"
-#include "scVector3.h"
 
 #include <string>
 

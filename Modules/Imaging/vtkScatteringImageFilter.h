@@ -94,9 +94,9 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkTimeStamp.h" // For what has changed
 
+#include <map>    // For the spectra
 #include <memory> // For the image that is kept
 #include <string> // For messages
-#include <vector> // For the spectra
 
 class vtkAlgorithmOutput;
 class vtkCamera;
@@ -105,8 +105,10 @@ class vtkDataArray;
 namespace shadowcones
 {
 class Warnings;
+struct ImageScene;
 struct KeptImage;
-}
+struct SchlickLobes;
+} // namespace shadowcones
 
 class SHADOWCONESIMAGING_EXPORT vtkScatteringImageFilter : public vtkImageAlgorithm
 {
@@ -248,22 +250,28 @@ public:
    * Scattering coefficient of the medium, 1 / world unit. SetSigmaS() sets every wavelength; SetSigmaSSpectrum() then
    * sets the sample with an index from 0, the others keep SigmaS. Default: 0.1. Valid: 0 and above.
    */
-  virtual void SetSigmaS(double sigmaS);
+  void SetSigmaS(double sigmaS);
   vtkGetMacro(SigmaS, double); ///< Scattering coefficient of wavelengths that have none of their own, 1 / world unit.
   /// Scattering coefficient of one wavelength sample, index from 0, 1 / world unit.
-  virtual void SetSigmaSSpectrum(int index, double sigmaS);
-  double GetSigmaSSpectrum(int index) const; ///< Scattering coefficient of one wavelength sample, 1 / world unit.
+  void SetSigmaSSpectrum(int index, double sigmaS);
+  /// Scattering coefficients of the first samples, in place of all that were set, 1 / world unit.
+  void SetSigmaSSpectrum(vtkDataArray* coefficients);
+  void ClearSigmaSSpectrum();          ///< Every sample is SigmaS again.
+  double GetSigmaSSpectrum(int index); ///< Scattering coefficient of one wavelength sample, 1 / world unit.
   ///@}
 
   ///@{
   /**
    * Absorption coefficient of the medium, 1 / world unit, set as SigmaS is. Default: 0. Valid: 0 and above.
    */
-  virtual void SetSigmaA(double sigmaA);
+  void SetSigmaA(double sigmaA);
   vtkGetMacro(SigmaA, double); ///< Absorption coefficient of wavelengths that have none of their own, 1 / world unit.
   /// Absorption coefficient of one wavelength sample, index from 0, 1 / world unit.
-  virtual void SetSigmaASpectrum(int index, double sigmaA);
-  double GetSigmaASpectrum(int index) const; ///< Absorption coefficient of one wavelength sample, 1 / world unit.
+  void SetSigmaASpectrum(int index, double sigmaA);
+  /// Absorption coefficients of the first samples, in place of all that were set, 1 / world unit.
+  void SetSigmaASpectrum(vtkDataArray* coefficients);
+  void ClearSigmaASpectrum();          ///< Every sample is SigmaA again.
+  double GetSigmaASpectrum(int index); ///< Absorption coefficient of one wavelength sample, 1 / world unit.
   ///@}
 
   ///@{
@@ -379,10 +387,10 @@ public:
   /**
    * The camera sees the light itself, with its exact shape, added to Radiance; it hides nothing. Default: on.
    */
-  vtkSetMacro(LightVisible, vtkTypeBool);
-  vtkGetMacro(LightVisible, vtkTypeBool); ///< Whether the camera sees the light itself.
+  vtkSetMacro(LightVisible, bool);
+  vtkGetMacro(LightVisible, bool); ///< Whether the camera sees the light itself.
   /// The camera sees the light itself.
-  vtkBooleanMacro(LightVisible, vtkTypeBool); ///< Leave the light itself out of Radiance.
+  vtkBooleanMacro(LightVisible, bool); ///< Leave the light itself out of Radiance.
   ///@}
 
   ///@{
@@ -408,10 +416,10 @@ public:
    * InScattering + SurfaceRadiance at fixed pixels of the whole image. Where a part of the image is asked for, those pixels
    * (some 4,096) are rendered too, once for all parts. Changing it renders nothing anew. Default: on.
    */
-  virtual void SetAutoExposure(vtkTypeBool automatic);
-  vtkGetMacro(AutoExposure, vtkTypeBool); ///< Whether the exposure is found from the image.
+  virtual void SetAutoExposure(bool automatic);
+  vtkGetMacro(AutoExposure, bool); ///< Whether the exposure is found from the image.
   /// Find the exposure from the image; Exposure is not used.
-  vtkBooleanMacro(AutoExposure, vtkTypeBool); ///< Use Exposure.
+  vtkBooleanMacro(AutoExposure, bool); ///< Use Exposure.
   ///@}
 
   ///@{
@@ -455,19 +463,13 @@ private:
   vtkScatteringImageFilter(const vtkScatteringImageFilter&) = delete;
   void operator=(const vtkScatteringImageFilter&) = delete;
 
-  struct Scene; // what RequestData hands to Core
-
-  bool CheckParameters(std::string& error) const;
-  bool ChooseDensity(vtkImageData* density, vtkDataArray*& values, std::string& error);
-  bool ReadScene(vtkInformationVector** inputs, Scene& scene, std::string& error) const;
-  void SetOptions(const int extent[6], Scene& scene) const;
-  bool Render(Scene& scene);
-  bool IsWhole(const int extent[6]) const;
-  void ChooseExtents(const int extent[6], Scene& scene) const;
+  /// What is wrong with the parameters, as a sentence; empty where nothing is.
+  std::string CheckParameters() const;
+  void SetPhasePreset(const shadowcones::SchlickLobes& lobes);
+  void SetOptions(const int extent[6], shadowcones::ImageScene& scene) const;
+  bool ReadScene(vtkInformationVector** inputs, shadowcones::ImageScene& scene, std::string& error);
   bool RenderMissing(
-    vtkInformationVector** inputVector, const int extent[6], shadowcones::Warnings& warnings, int& result);
-  void KeepPixels(const Scene& scene, const int extent[6], double seconds);
-  void AddWarnings(const Scene& scene, const int extent[6], shadowcones::Warnings& warnings) const;
+    vtkInformationVector** inputs, const int extent[6], shadowcones::Warnings& warnings, std::string& error);
 
   vtkCamera* Camera = nullptr;
   int Resolution[2] = { 256, 256 };
@@ -478,8 +480,8 @@ private:
   int NumberOfSoftLightSamples = 64;
   double SigmaS = 0.1;
   double SigmaA = 0.0;
-  std::vector<double> SigmaSSpectrum; // NaN where SigmaS counts
-  std::vector<double> SigmaASpectrum; // NaN where SigmaA counts
+  std::map<int, double> SigmaSSpectrum; // samples that differ from SigmaS
+  std::map<int, double> SigmaASpectrum; // samples that differ from SigmaA
   int PhaseFunction = Isotropic;
   double PhaseLobes[3] = { 0.5, 0.46, -0.46 };
   double PhaseAsymmetry = 0.0;
@@ -490,10 +492,10 @@ private:
   int NumberOfLightSamples = 16;
   int NumberOfSurfaceLightSamples = 16;
   int NumberOfEdgeSamples = 4;
-  vtkTypeBool LightVisible = true;
+  bool LightVisible = true;
   double Reflectance = 0.5;
   double ConeLength = 0.0;
-  vtkTypeBool AutoExposure = true;
+  bool AutoExposure = true;
   double Exposure = 1.0;
   int Seed = 1;
 

@@ -84,8 +84,8 @@ int vtkToneMapRadiance::RequestData(
     return 0;
   }
 
-  const std::vector<double> wavelengths = shadowcones::ReadWavelengths(
-    input, static_cast<std::size_t>(radiance->GetNumberOfComponents()));
+  const std::vector<double> wavelengths =
+    shadowcones::ReadWavelengths(input, static_cast<std::size_t>(radiance->GetNumberOfComponents()));
   double exposure = this->Exposure;
   try
   {

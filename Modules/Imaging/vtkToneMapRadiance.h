@@ -43,10 +43,10 @@ public:
   /**
    * Find the exposure from the image, as described above. Off: Exposure is used. Default: on.
    */
-  vtkSetMacro(AutoExposure, vtkTypeBool);
-  vtkGetMacro(AutoExposure, vtkTypeBool); ///< Whether the exposure is found from the image.
+  vtkSetMacro(AutoExposure, bool);
+  vtkGetMacro(AutoExposure, bool); ///< Whether the exposure is found from the image.
   /// Find the exposure from the image; Exposure is not used.
-  vtkBooleanMacro(AutoExposure, vtkTypeBool); ///< Use Exposure.
+  vtkBooleanMacro(AutoExposure, bool); ///< Use Exposure.
   ///@}
 
   ///@{
@@ -70,7 +70,7 @@ private:
   vtkToneMapRadiance(const vtkToneMapRadiance&) = delete;
   void operator=(const vtkToneMapRadiance&) = delete;
 
-  vtkTypeBool AutoExposure = true;
+  bool AutoExposure = true;
   double Exposure = 1.0;
 };
 

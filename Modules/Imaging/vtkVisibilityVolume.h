@@ -55,6 +55,7 @@
 #include "ShadowConesImagingModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+#include <string>
 #include <vector>
 
 class vtkAlgorithmOutput;
@@ -181,11 +182,12 @@ private:
 
   struct Scene; // what RequestData hands to Core
 
-  bool CheckDimensions();
-  bool CheckParameters();
-  bool ReadInputs(vtkInformationVector** inputs, Scene& scene);
+  /// What is wrong with the parameters, as a sentence; empty where nothing is.
+  std::string CheckParameters() const;
+  bool ReadInputs(vtkInformationVector** inputs, Scene& scene, std::string& error) const;
   void FindAutomaticBounds(vtkInformationVector** inputs);
-  bool FindBounds(Scene& scene);
+  bool FindBounds(Scene& scene, std::string& error) const;
+  bool FillGrids(const Scene& scene, const int extent[6], std::vector<shadowcones::VisibilityGrid>& grids);
   void Warn(const std::vector<shadowcones::VisibilityGrid>& grids, vtkFieldData* coneField, const Scene& scene,
     vtkIdType points);
 

@@ -3,8 +3,12 @@
 
 #include "scFieldArrays.h"
 #include "scLightData.h"
+#include "scParameterRanges.h"
+#include "scSentence.h"
 #include "scSpectrum.h"
+#include "scSpectrumSamples.h"
 
+#include "scFrame.h"
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -22,13 +26,7 @@
 namespace
 {
 
-using shadowcones::Cross;
-using shadowcones::Dot;
-using shadowcones::Length;
-using shadowcones::Light;
-using shadowcones::LightShape;
-using shadowcones::Normalized;
-using shadowcones::Vector3;
+using namespace shadowcones;
 
 vtkIdType InsertPoint(vtkPoints* points, const Vector3& p)
 {
@@ -55,13 +53,13 @@ Vector3 InPlaneUp(const Vector3& normal, const Vector3& up)
 
 void TessellateDisc(const Light& light, int resolution, vtkPoints* points, vtkCellArray* polygons)
 {
-  const shadowcones::Frame frame = shadowcones::FrameAround(light.Normal);
+  const Frame frame = FrameAround(light.Normal);
   polygons->InsertNextCell(resolution);
   for (int i = 0; i < resolution; ++i)
   {
     const double angle = 2.0 * vtkMath::Pi() * i / resolution;
-    polygons->InsertCellPoint(InsertPoint(points,
-      light.Center + (light.Radius * std::cos(angle)) * frame.U + (light.Radius * std::sin(angle)) * frame.V));
+    polygons->InsertCellPoint(InsertPoint(
+      points, light.Center + (light.Radius * std::cos(angle)) * frame.U + (light.Radius * std::sin(angle)) * frame.V));
   }
 }
 
@@ -81,9 +79,8 @@ void TessellateSphere(const Light& light, int resolution, vtkPoints* points, vtk
   const int rings = resolution / 2 + 1; // from pole to pole
   const vtkIdType north = InsertPoint(points, light.Center + Vector3{ 0.0, 0.0, light.Radius });
   const vtkIdType south = InsertPoint(points, light.Center - Vector3{ 0.0, 0.0, light.Radius });
-  const auto id = [&](int ring, int i) -> vtkIdType {
-    return 2 + static_cast<vtkIdType>(ring - 1) * resolution + i % resolution;
-  };
+  const auto id = [&](int ring, int i) -> vtkIdType
+  { return 2 + static_cast<vtkIdType>(ring - 1) * resolution + i % resolution; };
   for (int ring = 1; ring < rings; ++ring)
   {
     const double polar = vtkMath::Pi() * ring / rings;
@@ -109,117 +106,74 @@ void TessellateSphere(const Light& light, int resolution, vtkPoints* points, vtk
 
 vtkStandardNewMacro(vtkAreaLightSource);
 
-//------------------------------------------------------------------------------
 vtkAreaLightSource::vtkAreaLightSource()
 {
   this->SetNumberOfInputPorts(0);
 }
 
-//------------------------------------------------------------------------------
-void vtkAreaLightSource::SetRadiance(double radiance)
-{
-  if (this->Radiance != radiance || !this->RadianceSpectrum.empty())
-  {
-    this->Radiance = radiance;
-    this->RadianceSpectrum.clear();
-    this->Modified();
-  }
-}
+scDefineSpectrum(vtkAreaLightSource, Radiance)
 
-//------------------------------------------------------------------------------
-void vtkAreaLightSource::SetRadianceSpectrum(int index, double radiance)
-{
-  const auto found = this->RadianceSpectrum.find(index);
-  if (found == this->RadianceSpectrum.end() || found->second != radiance)
-  {
-    this->RadianceSpectrum[index] = radiance;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-double vtkAreaLightSource::GetRadianceSpectrum(int index)
-{
-  const auto found = this->RadianceSpectrum.find(index);
-  return found == this->RadianceSpectrum.end() ? this->Radiance : found->second;
-}
-
-//------------------------------------------------------------------------------
-int vtkAreaLightSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+  int vtkAreaLightSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   // Every piece needs the whole light.
   outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }
 
-//------------------------------------------------------------------------------
-int vtkAreaLightSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+std::string vtkAreaLightSource::CheckParameters() const
 {
-  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-
-  if (this->Shape < Disc || this->Shape > Sun)
-  {
-    vtkErrorMacro("Shape is " << this->Shape << "; it must be from 0 (Disc) to 4 (Sun).");
-    return 0;
-  }
-  if (this->NumberOfWavelengths < 1 || this->NumberOfWavelengths > 1000)
-  {
-    vtkErrorMacro("NumberOfWavelengths is " << this->NumberOfWavelengths << "; it must be from 1 to 1000.");
-    return 0;
-  }
-  if (this->Resolution < 3 || this->Resolution > 4096)
-  {
-    vtkErrorMacro("Resolution is " << this->Resolution << "; it must be from 3 to 4096.");
-    return 0;
-  }
-  for (const auto& sample : this->RadianceSpectrum)
-  {
-    if (sample.first < 0 || sample.first >= this->NumberOfWavelengths)
-    {
-      vtkErrorMacro("RadianceSpectrum is set for wavelength sample " << sample.first << "; with "
-                                                                    << this->NumberOfWavelengths
-                                                                    << " wavelengths indices run from 0 to "
-                                                                    << this->NumberOfWavelengths - 1 << ".");
-      return 0;
-    }
-  }
-  if (!vtkMath::IsFinite(this->Center[0]) || !vtkMath::IsFinite(this->Center[1]) || !vtkMath::IsFinite(this->Center[2]))
-  {
-    vtkErrorMacro("Center must be finite.");
-    return 0;
-  }
+  const std::string fault =
+    FirstOutOfRange({ OneOf("Shape", this->Shape, { "Disc", "Rectangle", "Sphere", "Point", "Sun" }),
+      InRange("NumberOfWavelengths", this->NumberOfWavelengths, 1, 1000),
+      InRange("Resolution", this->Resolution, 3, 4096) });
+  const auto areFinite = [](const double* x) { return IsFinite({ x[0], x[1], x[2] }); };
   const auto isSize = [](double x) { return std::isfinite(x) && x > 0.0; };
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  if (!areFinite(this->Center))
+  {
+    return "Center must be finite.";
+  }
   if (this->Shape == Rectangle && !(isSize(this->Width) && isSize(this->Height)))
   {
-    vtkErrorMacro("Width and Height must be finite and larger than 0; they are " << this->Width << " and "
-                                                                                << this->Height << ".");
-    return 0;
+    return Sentence(
+      "Width and Height must be finite and larger than 0; they are ", this->Width, " and ", this->Height, ".");
   }
-  const Vector3 up{ this->Up[0], this->Up[1], this->Up[2] };
-  if (this->Shape == Rectangle && !shadowcones::IsFinite(up))
-  {
-    vtkErrorMacro("Up must be finite.");
-    return 0;
-  }
+  return this->Shape == Rectangle && !areFinite(this->Up) ? "Up must be finite." : "";
+}
 
-  Light light;
+bool vtkAreaLightSource::MakeLight(Light& light, std::string& error) const
+{
   light.Shape = static_cast<LightShape>(this->Shape);
   light.Center = { this->Center[0], this->Center[1], this->Center[2] };
   light.Normal = Normalized({ this->Normal[0], this->Normal[1], this->Normal[2] });
   light.Radius = this->Shape == Sun ? vtkMath::RadiansFromDegrees(0.5 * this->AngularDiameter) : this->Radius;
   if (this->Shape == Rectangle)
   {
-    const Vector3 upward = InPlaneUp(light.Normal, up);
+    const Vector3 upward = InPlaneUp(light.Normal, { this->Up[0], this->Up[1], this->Up[2] });
     light.AxisU = 0.5 * this->Width * Cross(upward, light.Normal);
     light.AxisV = 0.5 * this->Height * upward;
   }
-  for (int i = 0; i < this->NumberOfWavelengths; ++i)
+  if (!ReadSpectrum(
+        "Radiance", this->RadianceSpectrum, this->Radiance, this->NumberOfWavelengths, light.Spectrum, error))
   {
-    light.Spectrum.push_back(this->GetRadianceSpectrum(i));
+    return false;
   }
-  if (const char* fault = shadowcones::PrepareLight(light))
+  const char* const fault = PrepareLight(light);
+  error = fault ? fault : "";
+  return error.empty();
+}
+
+int vtkAreaLightSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  std::string error = this->CheckParameters();
+  Light light;
+  if (!error.empty() || !this->MakeLight(light, error))
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< error);
     return 0;
   }
 
@@ -249,7 +203,7 @@ int vtkAreaLightSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
     {
       // Transforms turn normals: what is left of a Sun's direction when it was turned as data.
       const Vector3& normal = light.Normal;
-      shadowcones::AddDoubleArray(output->GetPointData(), "Normals", 3, { normal.X, normal.Y, normal.Z });
+      AddDoubleArray(output->GetPointData(), "Normals", 3, { normal.X, normal.Y, normal.Z });
       output->GetPointData()->SetActiveNormals("Normals");
     }
   }
@@ -258,31 +212,24 @@ int vtkAreaLightSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
     output->SetPolys(cells);
   }
 
-  shadowcones::WriteLightFieldData(light, output);
-  shadowcones::AddDoubleArray(
-    output->GetFieldData(), "LightWavelengths", 1, shadowcones::DefaultWavelengths(this->NumberOfWavelengths));
+  WriteLightFieldData(light, output);
+  AddDoubleArray(output->GetFieldData(), "LightWavelengths", 1, DefaultWavelengths(this->NumberOfWavelengths));
   return 1;
 }
 
-//------------------------------------------------------------------------------
 void vtkAreaLightSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Shape: " << this->Shape << "\n";
-  os << indent << "Center: " << this->Center[0] << " " << this->Center[1] << " " << this->Center[2] << "\n";
-  os << indent << "Normal: " << this->Normal[0] << " " << this->Normal[1] << " " << this->Normal[2] << "\n";
+  os << indent << "Center: " << Listed(this->Center, 3) << "\n";
+  os << indent << "Normal: " << Listed(this->Normal, 3) << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "Width: " << this->Width << "\n";
   os << indent << "Height: " << this->Height << "\n";
-  os << indent << "Up: " << this->Up[0] << " " << this->Up[1] << " " << this->Up[2] << "\n";
+  os << indent << "Up: " << Listed(this->Up, 3) << "\n";
   os << indent << "AngularDiameter: " << this->AngularDiameter << "\n";
   os << indent << "Radiance: " << this->Radiance << "\n";
-  os << indent << "RadianceSpectrum:";
-  for (const auto& sample : this->RadianceSpectrum)
-  {
-    os << " [" << sample.first << "] " << sample.second;
-  }
-  os << "\n";
+  os << indent << "RadianceSpectrum: " << TextOf(this->RadianceSpectrum) << "\n";
   os << indent << "NumberOfWavelengths: " << this->NumberOfWavelengths << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
 }

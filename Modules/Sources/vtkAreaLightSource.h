@@ -40,6 +40,13 @@
 
 #include <map> // for the spectrum
 
+class vtkDataArray;
+
+namespace shadowcones
+{
+struct Light;
+}
+
 class SHADOWCONESSOURCES_EXPORT vtkAreaLightSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -141,6 +148,9 @@ public:
    * Emission at one wavelength sample, units as Radiance; indices from 0 to NumberOfWavelengths - 1. Default: Radiance.
    */
   void SetRadianceSpectrum(int index, double radiance);
+  /// Emission at the first samples, in place of all that were set.
+  void SetRadianceSpectrum(vtkDataArray* radiances);
+  void ClearRadianceSpectrum();          ///< Every sample is Radiance again.
   double GetRadianceSpectrum(int index); ///< Emission at one wavelength sample, index from 0, units as Radiance.
   ///@}
 
@@ -170,6 +180,11 @@ protected:
 private:
   vtkAreaLightSource(const vtkAreaLightSource&) = delete;
   void operator=(const vtkAreaLightSource&) = delete;
+
+  /// What is wrong with the parameters, as a sentence; empty where nothing is.
+  std::string CheckParameters() const;
+  /// @return false, with a sentence in @p error, where that is no light.
+  bool MakeLight(shadowcones::Light& light, std::string& error) const;
 
   int Shape = Disc;
   double Center[3] = { 0.0, 0.0, 0.0 };

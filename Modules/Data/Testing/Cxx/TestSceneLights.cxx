@@ -3,6 +3,8 @@
 #include "scConeData.h"
 #include "scLightData.h"
 #include "scSceneLights.h"
+
+#include "Messages.h"
 #include "scVisibilityData.h"
 
 #include "vtkAreaLightSource.h"
@@ -132,7 +134,6 @@ SceneLights ReadPort(const std::vector<vtkDataObject*>& connections, std::string
   return lights;
 }
 
-#define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << "said: " << (text)
 } // namespace
 
 TEST(SceneLights, AShapeThatFitsIsBelieved)

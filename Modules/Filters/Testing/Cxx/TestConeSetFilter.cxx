@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkConeSetFilter: its arrays and field data, its parameters, and a message for each fault.
-#include "FilterTesting.h"
+// One file because every parameter is tried on the same shadow vectors.
+#include "Messages.h"
+#include "TestPolyData.h"
 #include "scConeData.h"
 #include "scConeProofCheck.h"
 #include "scLightData.h"
@@ -20,7 +22,7 @@
 #include <string>
 #include <vector>
 
-using namespace filtertesting;
+using namespace shadowcones::testsupport;
 
 namespace
 {
@@ -298,7 +300,7 @@ TEST(ConeSetFilter, TuningChoosesTheParametersAndSaysSo)
     vtkSmartPointer<vtkPolyData> cones = filter->GetOutput();
     EXPECT_GT(cones->GetNumberOfPoints(), 0) << tuning;
     EXPECT_EQ(FieldValue(cones, "Tuning"), tuning);
-    EXPECT_EQ(FieldValue(cones, "Expansion"), vtkConeSetFilter::LIGHT_GEOMETRY);
+    EXPECT_EQ(FieldValue(cones, "Expansion"), vtkConeSetFilter::LightGeometry);
     EXPECT_EQ(FieldValue(cones, "NumberOfVectors"), 3000.0);
     EXPECT_GT(FieldValue(cones, "TuningFits"), 25.0);
     ArrayOf(cones->GetFieldData(), "TuningObjective", VTK_DOUBLE, 1);
@@ -309,7 +311,7 @@ TEST(ConeSetFilter, TuningChoosesTheParametersAndSaysSo)
     return cones;
   };
 
-  const auto conservative = tuned(vtkConeSetFilter::CONSERVATIVE);
+  const auto conservative = tuned(vtkConeSetFilter::Conservative);
   EXPECT_EQ(FieldValue(conservative, "Overlap"), 1.0);
   EXPECT_EQ(FieldValue(conservative, "CosineCorrection"), 0.0);
   EXPECT_EQ(FieldValue(conservative, "ExpansionFraction"), 1.0);
@@ -319,7 +321,7 @@ TEST(ConeSetFilter, TuningChoosesTheParametersAndSaysSo)
   EXPECT_LT(leak, 0.01);
   EXPECT_GT(FieldValue(conservative, "TuningObjective"), leak); // cones cost something
 
-  const auto preview = tuned(vtkConeSetFilter::PREVIEW);
+  const auto preview = tuned(vtkConeSetFilter::Preview);
   EXPECT_EQ(FieldValue(preview, "Overlap"), 1.0);
   EXPECT_EQ(FieldValue(preview, "CosineCorrection"), 1.0);
   EXPECT_GT(FieldValue(preview, "MaximumOverspill"), 0.0);
@@ -329,7 +331,7 @@ TEST(ConeSetFilter, TuningChoosesTheParametersAndSaysSo)
   EXPECT_LT(FieldValue(preview, "TuningObjective"), 0.05); // a flat board is an easy shadow
   EXPECT_NEAR(FieldValue(preview, "TuningLost"), FieldValue(preview, "TuningLeak"), 0.02);
 
-  const auto soft = tuned(vtkConeSetFilter::SOFT);
+  const auto soft = tuned(vtkConeSetFilter::Soft);
   EXPECT_EQ(FieldValue(soft, "Overlap"), 1.0);
   EXPECT_GT(FieldValue(soft, "RadiusScale"), 0.5);
   EXPECT_LT(FieldValue(soft, "RadiusScale"), 1.2);
@@ -444,10 +446,10 @@ TEST(ConeSetProof, EveryProvableTuningIsProved)
 {
   const auto mesh = TwoBoards();
   const auto light = LampAbove(3.0);
-  for (const int tuning : { vtkConeSetFilter::AUTOMATIC, vtkConeSetFilter::MANUAL })
+  for (const int tuning : { vtkConeSetFilter::Automatic, vtkConeSetFilter::Manual })
   {
     vtkNew<vtkConeSetFilter> filter;
-    EXPECT_EQ(filter->GetTuning(), vtkConeSetFilter::AUTOMATIC);
+    EXPECT_EQ(filter->GetTuning(), vtkConeSetFilter::Automatic);
     filter->SetTuning(tuning);
     filter->SetInputData(Board().Vectors());
     filter->SetMeshData(mesh);
@@ -556,7 +558,7 @@ TEST(ConeSetFilter, PathsThatTeachNothingGiveBounds)
     vtkNew<vtkConeSetFilter> filter;
     filter->SetInputData(Board().Vectors());
     filter->SetPhotonPathData(paths);
-    filter->SetTuning(state == 0 ? vtkConeSetFilter::CONSERVATIVE : vtkConeSetFilter::PREVIEW);
+    filter->SetTuning(state == 0 ? vtkConeSetFilter::Conservative : vtkConeSetFilter::Preview);
     Messages messages(filter);
     filter->Update();
     EXPECT_EQ(messages.Errors, "");
@@ -606,8 +608,8 @@ TEST(ConeSetFilterErrors, TuningNeedsPathsToLearnFrom)
   const auto tune = [](vtkConeSetFilter* f) { f->SetTuningToPreview(); };
   ExpectFault(Execute(vectors, nullptr, tune), "Tuning learns from photon paths and input port 1 has none");
   ExpectFault(
-    Execute(vectors, Board().Paths(), [](vtkConeSetFilter* f) { f->SetTuning(7); }), "Tuning is 7; it must be 0");
-  ExpectFault(Execute(vectors, nullptr, [](vtkConeSetFilter* f) { f->SetTuning(-1); }), "Tuning is -1; it must be 0");
+    Execute(vectors, Board().Paths(), [](vtkConeSetFilter* f) { f->SetTuning(7); }), "Tuning is 7: it must be Manual (0)");
+  ExpectFault(Execute(vectors, nullptr, [](vtkConeSetFilter* f) { f->SetTuning(-1); }), "Tuning is -1: it must be Manual (0)");
   // Nothing to tune is no fault.
   vtkNew<vtkPolyData> empty;
   EXPECT_EQ(Execute(empty, Board().Paths(), tune).Errors, "");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkConeSetGeometry: surfaces that lie on their cones, cuts, and a message for each fault.
+#include "Messages.h"
+#include "TestPolyData.h"
 #include "scConeData.h"
 #include "scFieldArrays.h"
-#include "FilterTesting.h"
 #include "vtkConeSetGeometry.h"
 
 #include "vtkFloatArray.h"
@@ -14,7 +15,7 @@
 #include <functional>
 #include <sstream>
 
-using namespace filtertesting;
+using namespace shadowcones::testsupport;
 using shadowcones::Cone;
 using shadowcones::Cross;
 using shadowcones::Dot;
@@ -49,10 +50,9 @@ std::vector<Cone> ThreeCones()
   return cones;
 }
 
-vtkSmartPointer<vtkPolyData> ConeSetOf(const std::vector<Cone>& cones)
+vtkSmartPointer<vtkPolyData> FittedSet(const std::vector<Cone>& cones)
 {
-  auto set = vtkSmartPointer<vtkPolyData>::New();
-  shadowcones::WriteConeSet(cones, set);
+  auto set = ConeSetOf(cones);
   shadowcones::AddIntArray(set->GetFieldData(), "NumberOfNeighbors", 1, { 100 });
   return set;
 }
@@ -93,7 +93,7 @@ TEST(ConeSetGeometry, SurfacesLieOnTheirCones)
 {
   const std::vector<Cone> cones = ThreeCones();
   vtkNew<vtkConeSetGeometry> filter;
-  filter->SetInputData(ConeSetOf(cones));
+  filter->SetInputData(FittedSet(cones));
   filter->SetLength(1.5);
   filter->SetResolution(12);
   filter->Update();
@@ -145,7 +145,7 @@ TEST(ConeSetGeometry, BasesAreDiscsThatFaceTheLight)
 {
   const std::vector<Cone> cones = ThreeCones();
   vtkNew<vtkConeSetGeometry> filter;
-  filter->SetInputData(ConeSetOf(cones));
+  filter->SetInputData(FittedSet(cones));
   filter->SetResolution(60);
   filter->Update();
   vtkPolyData* bases = filter->GetOutput(1);
@@ -174,7 +174,7 @@ TEST(ConeSetGeometry, IsCutByPlaneAndBox)
   vtkNew<vtkConeSetGeometry> filter;
   std::vector<Cone> cones = ThreeCones();
   cones.pop_back(); // its tip comes first
-  filter->SetInputData(ConeSetOf(cones));
+  filter->SetInputData(FittedSet(cones));
   filter->SetCutToPlane();
   filter->SetPlaneOrigin(5.0, 5.0, -1.0);
   filter->SetPlaneNormal(0.0, 0.0, 3.0);
@@ -206,23 +206,12 @@ TEST(ConeSetGeometry, IsCutByPlaneAndBox)
   EXPECT_NEAR(deepest, std::sqrt(5.0), 1e-9);
 }
 
-TEST(ConeSetGeometry, PiecesAreRangesOfConesOfTheWhole)
-{
-  vtkNew<vtkConeSetGeometry> filter;
-  filter->SetInputData(ConeSetOf(ThreeCones()));
-  filter->Update();
-  const vtkIdType cells = filter->GetOutput(0)->GetNumberOfCells();
-  filter->UpdatePiece(2, 3, 0);
-  ASSERT_EQ(3 * filter->GetOutput(0)->GetNumberOfCells(), cells);
-  EXPECT_EQ(filter->GetOutput(0)->GetCellData()->GetArray("ConeId")->GetTuple1(0), 2.0); // numbered in the whole set
-}
-
 TEST(ConeSetGeometry, ASetOfOneOrNoConeIsFine)
 {
   vtkNew<vtkConeSetGeometry> filter;
   std::vector<Cone> cones = ThreeCones();
   cones.resize(1);
-  filter->SetInputData(ConeSetOf(cones));
+  filter->SetInputData(FittedSet(cones));
   Messages messages(filter);
   filter->Update();
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfCells(), 24);
@@ -246,12 +235,12 @@ TEST(ConeSetGeometryErrors, AConeSetFromElsewhere)
 {
   for (const char* name : { "Axis", "BaseRadius", "HalfAngle" })
   {
-    const auto set = ConeSetOf(ThreeCones());
+    const auto set = FittedSet(ThreeCones());
     set->GetPointData()->RemoveArray(name);
     EXPECT_SAYS(FaultOf(set), std::string("The cone set has no array \"") + name + "\"");
   }
   // What is not required is made up.
-  const auto bare = ConeSetOf(ThreeCones());
+  const auto bare = FittedSet(ThreeCones());
   for (const char* name : { "InnerHalfAngle", "Normal", "OccluderId", "VectorCount", "Planarity", "Overspill" })
   {
     bare->GetPointData()->RemoveArray(name);
@@ -261,19 +250,19 @@ TEST(ConeSetGeometryErrors, AConeSetFromElsewhere)
   filter->Update();
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfCells(), 3 * 24);
 
-  auto set = ConeSetOf(ThreeCones());
+  auto set = FittedSet(ThreeCones());
   set->GetPointData()->GetArray("Axis")->SetTuple3(1, 0.0, 0.0, 0.0);
   EXPECT_SAYS(FaultOf(set), "\"Axis\" of cone 1");
-  set = ConeSetOf(ThreeCones());
+  set = FittedSet(ThreeCones());
   set->GetPointData()->GetArray("BaseRadius")->SetTuple1(2, -1.0);
   EXPECT_SAYS(FaultOf(set), "\"BaseRadius\" of cone 2");
-  set = ConeSetOf(ThreeCones());
+  set = FittedSet(ThreeCones());
   set->GetPointData()->GetArray("HalfAngle")->SetTuple1(0, 1.6);
   EXPECT_SAYS(FaultOf(set), "\"HalfAngle\" of cone 0");
-  set = ConeSetOf(ThreeCones());
+  set = FittedSet(ThreeCones());
   set->GetPoints()->SetPoint(1, std::nan(""), 0.0, 0.0);
   EXPECT_SAYS(FaultOf(set), "position of cone 1 is not finite");
-  set = ConeSetOf(ThreeCones());
+  set = FittedSet(ThreeCones());
   vtkNew<vtkFloatArray> shortArray;
   shortArray->SetName("Mine");
   shortArray->SetNumberOfTuples(2);
@@ -283,7 +272,7 @@ TEST(ConeSetGeometryErrors, AConeSetFromElsewhere)
 
 TEST(ConeSetGeometryErrors, BadParameters)
 {
-  const auto set = ConeSetOf(ThreeCones());
+  const auto set = FittedSet(ThreeCones());
   EXPECT_SAYS(FaultOf(set, [](vtkConeSetGeometry* f) { f->SetResolution(2); }), "Resolution is 2");
   EXPECT_SAYS(FaultOf(set, [](vtkConeSetGeometry* f) { f->SetCut(3); }), "Cut is 3");
   EXPECT_SAYS(FaultOf(set,

@@ -2,14 +2,14 @@
 // The probe as a filter: every kind of data set, points and cells, pieces, threads, abort, and what it refuses.
 #include "vtkConeSetProbe.h"
 
-#include "FilterTesting.h"
+#include "Messages.h"
+#include "TestPolyData.h"
 
 #include "scConeData.h"
 #include "scFieldArrays.h"
 #include "vtkAreaLightSource.h"
 
 #include "vtkAppendFilter.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellCenters.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
@@ -24,7 +24,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
@@ -40,6 +39,7 @@
 #include <string>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -71,16 +71,7 @@ vtkSmartPointer<vtkPolyData> Mesh()
 /// One cone that holds all of the square's shadow; its base is the disc through the square's corners.
 vtkSmartPointer<vtkPolyData> BoundingCone()
 {
-  Cone cone;
-  cone.Center = { 0.0, 1.0, 0.0 };
-  cone.Axis = { 0.0, -1.0, 0.0 };
-  cone.Normal = cone.Axis;
-  cone.BaseRadius = std::sqrt(0.5);
-  cone.HalfAngle = std::atan(1.2);
-  cone.OccluderId = 5;
-  auto output = vtkSmartPointer<vtkPolyData>::New();
-  WriteConeSet({ cone }, output);
-  return output;
+  return ConeSetOf({ MakeCone({ 0.0, 1.0, 0.0 }, { 0.0, -1.0, 0.0 }, std::sqrt(0.5), std::atan(1.2), 5) });
 }
 
 /// A grid of points behind the square, through its umbra, its penumbra and lit space.
@@ -132,7 +123,7 @@ protected:
   /// Update must fail with a message that holds the text, and leave no arrays.
   void ExpectError(const std::string& part)
   {
-    filtertesting::Messages messages(this->Filter);
+    Messages messages(this->Filter);
     this->Filter->Modified();
     this->Filter->Update();
     EXPECT_NE(messages.Errors.find(part), std::string::npos) << "got: " << messages.Errors;
@@ -413,48 +404,33 @@ TEST_F(ConeSetProbe, CosineCorrectionIsTakenBackForSoft)
   EXPECT_EQ(CountClass(corrected->GetPointData(), 2), CountClass(expected->GetPointData(), 2));
 }
 
-TEST_F(ConeSetProbe, SameBytesForThreadsAndPieces)
+TEST_F(ConeSetProbe, PartsOfTheInputGiveTheBytesOfTheWhole)
 {
-  for (const int method : { vtkConeSetProbe::EXACT, vtkConeSetProbe::SOFT })
+  for (const int method : { vtkConeSetProbe::Exact, vtkConeSetProbe::Soft })
   {
     this->Filter->SetMethod(method);
-    vtkSMPTools::Initialize(1);
-    const vtkSmartPointer<vtkDataSet> one = this->Probed(Grid(17));
-    vtkSMPTools::Initialize(2);
-    this->Filter->Modified();
-    const vtkSmartPointer<vtkDataSet> two = this->Probed(Grid(17));
-    ExpectSameBytes(one->GetPointData(), two->GetPointData());
-
-    // An unstructured grid in four parts, each asked for by itself.
-    vtkNew<vtkAppendFilter> append;
-    append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    append->AddInputData(Grid(17));
-    append->Update();
-    vtkIdType next = 0;
-    for (int piece = 0; piece < 4; ++piece)
+    const auto grid = Grid(17);
+    const vtkSmartPointer<vtkDataSet> whole = this->Probed(grid);
+    for (int part = 0; part < 4; ++part)
     {
-      const vtkIdType begin = append->GetOutput()->GetNumberOfPoints() * piece / 4;
-      const vtkIdType end = append->GetOutput()->GetNumberOfPoints() * (piece + 1) / 4;
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
+      const vtkIdType begin = grid->GetNumberOfPoints() * part / 4;
+      const vtkIdType end = grid->GetNumberOfPoints() * (part + 1) / 4;
+      std::vector<double> points;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        points->InsertNextPoint(append->GetOutput()->GetPoint(i));
+        points.insert(points.end(), grid->GetPoint(i), grid->GetPoint(i) + 3);
       }
-      vtkNew<vtkPolyData> part;
-      part->SetPoints(points);
-      const vtkSmartPointer<vtkDataSet> output = this->Probed(part);
-      for (vtkIdType i = begin; i < end; ++i, ++next)
+      const vtkSmartPointer<vtkDataSet> output = this->Probed(PointsAt(points));
+      for (vtkIdType i = begin; i < end; ++i)
       {
         for (const char* name : arrays)
         {
           ASSERT_EQ(output->GetPointData()->GetArray(name)->GetComponent(i - begin, 0),
-            one->GetPointData()->GetArray(name)->GetComponent(i, 0))
+            whole->GetPointData()->GetArray(name)->GetComponent(i, 0))
             << name << " " << i;
         }
       }
     }
-    EXPECT_EQ(next, one->GetNumberOfPoints());
   }
 }
 
@@ -482,44 +458,9 @@ TEST_F(ConeSetProbe, PassesPieceRequestsToItsInput)
   EXPECT_EQ(cells, whole);
 }
 
-TEST_F(ConeSetProbe, ReportsProgressAndStops)
-{
-  this->Filter->SetInputData(Grid(33));
-  double last = -1.0;
-  int calls = 0;
-  vtkNew<vtkCallbackCommand> progress;
-  struct State
-  {
-    double& Last;
-    int& Calls;
-    bool Abort;
-  } state{ last, calls, false };
-  progress->SetClientData(&state);
-  progress->SetCallback(
-    [](vtkObject* caller, unsigned long, void* data, void* amount)
-    {
-      auto* found = static_cast<State*>(data);
-      found->Last = std::max(found->Last, *static_cast<double*>(amount));
-      ++found->Calls;
-      if (found->Abort)
-      {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    });
-  this->Filter->AddObserver(vtkCommand::ProgressEvent, progress);
-  this->Filter->Update();
-  EXPECT_EQ(last, 1.0);
-  EXPECT_GT(calls, 2);
-  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 33 * 33 * 33);
-  state.Abort = true;
-  this->Filter->Modified();
-  this->Filter->Update();
-  EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
-}
-
 TEST_F(ConeSetProbe, EmptyInputsAreValid)
 {
-  filtertesting::Messages messages(this->Filter);
+  Messages messages(this->Filter);
   vtkNew<vtkPolyData> nothing;
   for (const int association : { 0, 1 })
   {
@@ -545,7 +486,7 @@ TEST_F(ConeSetProbe, EmptyInputsAreValid)
 
 TEST_F(ConeSetProbe, SoftNeedsNoMesh)
 {
-  filtertesting::Messages messages(this->Filter);
+  Messages messages(this->Filter);
   this->Filter->SetMeshConnection(nullptr);
   this->Filter->SetMethodToSoft();
   EXPECT_EQ(this->At(0.2, 0.7, -0.2), 0.0);
@@ -598,7 +539,7 @@ TEST_F(ConeSetProbe, ExactNeedsNoCones)
   const auto withCones = this->Probed(Grid());
   EXPECT_GT(CountClass(withCones->GetPointData(), 1), 0);
   this->Filter->SetConeSetConnection(nullptr);
-  filtertesting::Messages messages(this->Filter);
+  Messages messages(this->Filter);
   const auto without = this->Probed(Grid());
   EXPECT_EQ(messages.Errors + messages.Warnings, "");
   for (const char* name : { "Visibility", "ShadowClass", "OccluderId" })

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Filters say what may be wrong with a result, and say nothing where all is well.
-#include "FilterTesting.h"
+#include "Messages.h"
+#include "TestPolyData.h"
 
 #include "vtkConeSetAccuracy.h"
 #include "vtkConeSetFilter.h"
@@ -11,7 +12,7 @@
 
 #include "vtkPlaneSource.h"
 
-using namespace filtertesting;
+using namespace shadowcones::testsupport;
 
 namespace
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes of blocks, names of occluders, fingerprints and hidden cells, from the mesh to the last filter.
-#include "FilterTesting.h"
+#include "Messages.h"
+#include "TestPolyData.h"
 
 #include "scConeData.h"
 #include "scFieldArrays.h"
@@ -28,7 +29,7 @@
 #include <string>
 #include <vector>
 
-using namespace filtertesting;
+using namespace shadowcones::testsupport;
 
 namespace
 {
@@ -67,22 +68,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> Walls()
 /// One cone that holds all of the scene: Exact asks everywhere.
 vtkSmartPointer<vtkPolyData> ConeAroundAll()
 {
-  shadowcones::Cone cone;
-  cone.Center = { 0.0, 0.0, 50.0 };
-  cone.Axis = { 0.0, 0.0, -1.0 };
-  cone.Normal = cone.Axis;
-  cone.BaseRadius = 50.0;
-  cone.HalfAngle = 0.3;
-  auto cones = vtkSmartPointer<vtkPolyData>::New();
-  shadowcones::WriteConeSet({ cone }, cones);
-  return cones;
-}
-
-vtkSmartPointer<vtkPolyData> PointsAt(const std::vector<double>& coordinates)
-{
-  auto points = vtkSmartPointer<vtkPolyData>::New();
-  shadowcones::SetVertices(points, coordinates);
-  return points;
+  return ConeSetOf({ MakeCone({ 0.0, 0.0, 50.0 }, { 0.0, 0.0, -1.0 }, 50.0, 0.3) });
 }
 
 Names NamesIn(vtkDataObject* data)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several lights in every filter that has a light port: closed forms, order, ports, messages.
-#include "FilterTesting.h"
+#include "Messages.h"
+#include "TestPolyData.h"
 
 #include "vtkConeSetAccuracy.h"
 #include "vtkConeSetFilter.h"
@@ -15,7 +16,7 @@
 #include <cmath>
 #include <vector>
 
-using namespace filtertesting;
+using namespace shadowcones::testsupport;
 
 namespace
 {
@@ -41,17 +42,14 @@ vtkSmartPointer<vtkPolyData> HalfWall()
 }
 
 /// Points on the x axis.
-vtkSmartPointer<vtkPolyData> PointsAt(const std::vector<double>& xs)
+vtkSmartPointer<vtkPolyData> PointsOnAxis(const std::vector<double>& xs)
 {
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
+  std::vector<double> coordinates;
   for (const double x : xs)
   {
-    points->InsertNextPoint(x, 0.0, 0.0);
+    coordinates.insert(coordinates.end(), { x, 0.0, 0.0 });
   }
-  data->SetPoints(points);
-  return data;
+  return PointsAt(coordinates);
 }
 
 /// The share of a disc of radius @p r about x = @p center that lies at x below @p edge.
@@ -85,7 +83,7 @@ vtkSmartPointer<vtkConeSetFilter> ConesOf(const std::vector<vtkAreaLightSource*>
 /// One cone that holds everything, without a light.
 vtkSmartPointer<vtkPolyData> Everywhere()
 {
-  auto set = PointsAt({ 0.0 });
+  auto set = PointsOnAxis({ 0.0 });
   set->GetPoints()->SetPoint(0, 0.0, 0.0, -100.0);
   const auto add = [&](const char* name, int components, std::initializer_list<double> values)
   {
@@ -122,7 +120,7 @@ TEST(SeveralLights, TwoDiscsBehindHalfAWall)
   const auto a = LampAt(-0.1);
   const auto b = LampAt(0.15);
   const std::vector<double> xs = { -0.3, 0.0, 0.1, 0.9 };
-  const auto probe = Probe(PointsAt(xs), HalfWall());
+  const auto probe = Probe(PointsOnAxis(xs), HalfWall());
   Messages messages(probe);
   probe->SetLightConnection(a->GetOutputPort());
   probe->AddLightConnection(b->GetOutputPort());
@@ -159,7 +157,7 @@ TEST(SeveralLights, TwoSunsHaveAShadowEach)
     light->SetAngularDiameter(0.5);
     return light;
   };
-  const auto probe = Probe(PointsAt({ -1.2, 0.2, 1.2 }), HalfWall());
+  const auto probe = Probe(PointsOnAxis({ -1.2, 0.2, 1.2 }), HalfWall());
   Messages messages(probe);
   const auto left = sun(-0.5);
   const auto right = sun(0.5);
@@ -188,7 +186,7 @@ TEST(SeveralLights, TheOrderOfLightsIsThatOfComponents)
   }
   const auto run = [&](const std::vector<vtkAreaLightSource*>& lamps)
   {
-    const auto probe = Probe(PointsAt(xs), mesh);
+    const auto probe = Probe(PointsOnAxis(xs), mesh);
     probe->SetConeSetConnection(cones->GetOutputPort(0));
     Messages messages(probe);
     for (vtkAreaLightSource* lamp : lamps)
@@ -225,12 +223,12 @@ TEST(SeveralLights, BlocksAndConnectionsAreTheSame)
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, a->GetOutput());
   blocks->SetBlock(1, b->GetOutput());
-  const auto one = Probe(PointsAt({ 0.0, 0.1 }), HalfWall());
+  const auto one = Probe(PointsOnAxis({ 0.0, 0.1 }), HalfWall());
   Messages said(one);
   one->SetLightData(blocks);
   one->Update();
   ASSERT_TRUE(one->GetOutputDataObject(0)->IsA("vtkPolyData")); // not run once a block
-  const auto two = Probe(PointsAt({ 0.0, 0.1 }), HalfWall());
+  const auto two = Probe(PointsOnAxis({ 0.0, 0.1 }), HalfWall());
   Messages saidToo(two);
   two->AddLightData(a->GetOutput());
   two->AddLightData(b->GetOutput());
@@ -369,7 +367,7 @@ TEST(SeveralLights, ConesOfOtherLightsAreSaid)
   const auto a = LampAt(-1.0);
   const auto b = LampAt(1.0);
   const auto cones = ConesOf({ a }, mesh);
-  const auto probe = Probe(PointsAt({ 0.0 }), mesh);
+  const auto probe = Probe(PointsOnAxis({ 0.0 }), mesh);
   Messages messages(probe);
   probe->SetConeSetConnection(cones->GetOutputPort(0));
   probe->SetLightConnection(b->GetOutputPort());

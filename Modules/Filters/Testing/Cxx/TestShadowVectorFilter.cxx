@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkShadowVectorFilter: its arrays, its parameters, and a message for each fault.
-#include "FilterTesting.h"
+#include "Messages.h"
+#include "TestPolyData.h"
 #include "vtkShadowVectorFilter.h"
 
 #include "vtkCellArray.h"
@@ -9,7 +10,7 @@
 #include <limits>
 #include <sstream>
 
-using namespace filtertesting;
+using namespace shadowcones::testsupport;
 
 namespace
 {
@@ -26,16 +27,22 @@ struct Outcome
   std::string Warnings;
 };
 
+vtkSmartPointer<vtkShadowVectorFilter> FilterOf(vtkPolyData* mesh, vtkAreaLightSource* light, vtkIdType photons)
+{
+  auto filter = vtkSmartPointer<vtkShadowVectorFilter>::New();
+  filter->SetToPaper();
+  filter->SetInputData(mesh);
+  filter->SetLightConnection(light->GetOutputPort());
+  filter->SetNumberOfPhotons(photons);
+  return filter;
+}
+
 /// Run on the mesh with what @p change sets; all three outputs are counted.
 template <typename Change>
 Outcome Execute(vtkPolyData* mesh, Change change)
 {
   const auto light = LampAbove(3.0);
-  vtkNew<vtkShadowVectorFilter> filter;
-  filter->SetToPaper();
-  filter->SetInputData(mesh);
-  filter->SetLightConnection(light->GetOutputPort());
-  filter->SetNumberOfPhotons(200);
+  const auto filter = FilterOf(mesh, light, 200);
   change(filter.GetPointer());
   Messages messages(filter);
   filter->Update();
@@ -197,11 +204,7 @@ TEST(ShadowVectorFilter, TakesPolygonsStripsAndSinglePrecision)
 TEST(ShadowVectorFilter, ParametersChangeWhatTheySay)
 {
   const auto light = LampAbove(3.0);
-  vtkNew<vtkShadowVectorFilter> filter;
-  filter->SetToPaper();
-  filter->SetInputData(BoxOverFloor());
-  filter->SetLightConnection(light->GetOutputPort());
-  filter->SetNumberOfPhotons(300);
+  const auto filter = FilterOf(BoxOverFloor(), light, 300);
   filter->SetStorageToHitPoint();
   filter->Update();
   EXPECT_NEAR(filter->GetOutput()->GetBounds()[5], 1.1, 1e-9); // top of the box
@@ -341,11 +344,7 @@ TEST(ShadowVectorFilterErrors, BadParameters)
 TEST(ShadowVectorFilterErrors, AFaultClearsTheOutputsAndAGoodRunFollows)
 {
   const auto light = LampAbove(3.0);
-  vtkNew<vtkShadowVectorFilter> filter;
-  filter->SetToPaper();
-  filter->SetInputData(BoxOverFloor());
-  filter->SetLightConnection(light->GetOutputPort());
-  filter->SetNumberOfPhotons(300);
+  const auto filter = FilterOf(BoxOverFloor(), light, 300);
   filter->Update();
   const vtkIdType count = filter->GetOutput()->GetNumberOfPoints();
   ASSERT_GT(count, 0);

@@ -2,7 +2,8 @@
 // vtkShadowVolume: volumes that can be written down, closed manifolds of any cones, what VTK makes of them, messages.
 #include "vtkShadowVolume.h"
 
-#include "FilterTesting.h"
+#include "Messages.h"
+#include "TestPolyData.h"
 
 #include "scConeData.h"
 #include "scFieldArrays.h"
@@ -10,7 +11,6 @@
 #include "scRandom.h"
 
 #include "vtkBooleanOperationPolyDataFilter.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkClipClosedSurface.h"
@@ -27,7 +27,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTriangleFilter.h"
@@ -46,12 +45,12 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
 using Filter = vtkSmartPointer<vtkShadowVolume>;
 using Data = vtkSmartPointer<vtkPolyData>;
-constexpr double pi = 3.14159265358979323846;
 
 Cone MakeCone(const Vector3& center, double radius, double outer, double inner, int occluderId = 0)
 {
@@ -79,13 +78,6 @@ std::vector<Cone> RandomCones(int count, std::uint64_t seed)
     cones.push_back(cone);
   }
   return cones;
-}
-
-Data MakeConeSet(const std::vector<Cone>& cones)
-{
-  auto data = Data::New();
-  WriteConeSet(cones, data);
-  return data;
 }
 
 Filter Volume(vtkPolyData* cones, double length, int resolution = 64)
@@ -182,7 +174,7 @@ double ExpectSolid(vtkPolyData* surface)
 
 double Frustum(double height, double r0, double r1)
 {
-  return pi * height / 3.0 * (r0 * r0 + r0 * r1 + r1 * r1);
+  return Pi * height / 3.0 * (r0 * r0 + r0 * r1 + r1 * r1);
 }
 
 std::vector<int> Ids(vtkPolyData* surface)
@@ -230,36 +222,15 @@ Data Part(vtkPolyData* surface, int occluderId)
   return part;
 }
 
-/// Coordinates of every corner of every triangle, and its id.
-std::vector<double> Bytes(vtkPolyData* surface)
-{
-  std::vector<double> values;
-  const auto ids = Ids(surface);
-  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* corners = nullptr;
-    surface->GetPolys()->GetCellAtId(i, count, corners);
-    values.push_back(ids[i]);
-    for (int k = 0; k < 3; ++k)
-    {
-      double p[3];
-      surface->GetPoint(corners[k], p);
-      values.insert(values.end(), p, p + 3);
-    }
-  }
-  return values;
-}
-
 /// The message for a changed filter over one good cone; the outputs must be empty.
 template <typename Change>
 std::string Error(Change&& change)
 {
-  const Data cones = MakeConeSet({ MakeCone({}, 0.5, 0.2, -0.1, 7) });
+  const Data cones = ConeSetOf({ MakeCone({}, 0.5, 0.2, -0.1, 7) });
   auto filter = Filter::New();
   filter->SetInputData(cones);
   change(filter.Get(), cones.Get());
-  filtertesting::Messages messages(filter);
+  Messages messages(filter);
   filter->Update();
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfCells(), 0);
   EXPECT_EQ(filter->GetOutput(1)->GetNumberOfCells(), 0);
@@ -276,7 +247,7 @@ TEST(ShadowVolume, VolumesOfOneCone)
 {
   for (const double inner : { -0.3, 0.1 })
   {
-    const Data cones = MakeConeSet({ MakeCone({ 1.0, 2.0, 3.0 }, 0.5, 0.4, inner, 3) });
+    const Data cones = ConeSetOf({ MakeCone({ 1.0, 2.0, 3.0 }, 0.5, 0.4, inner, 3) });
     const double length = 2.0;
     for (const int resolution : { 32, 64, 96 })
     {
@@ -305,12 +276,12 @@ TEST(ShadowVolume, DiscsTogetherHideMoreThanEachAlone)
   std::vector<Cone> seven = { MakeCone({ 0.0, 0.0, 2.0 }, 0.25, 0.2, -0.2) };
   for (int k = 0; k < 6; ++k)
   {
-    const double angle = pi * k / 3.0;
+    const double angle = Pi * k / 3.0;
     seven.push_back(MakeCone({ 0.25 * std::cos(angle), 0.25 * std::sin(angle), 2.0 }, 0.25, 0.2, -0.2));
   }
   const auto umbra = [&](const std::vector<Cone>& cones, int method)
   {
-    const Data coneSet = MakeConeSet(cones);
+    const Data coneSet = ConeSetOf(cones);
     WriteLightFieldData(light, coneSet);
     auto filter = Filter::New();
     filter->SetInputData(coneSet);
@@ -323,11 +294,11 @@ TEST(ShadowVolume, DiscsTogetherHideMoreThanEachAlone)
   const double radius = 0.5 + (0.5 - 0.2) / 2.0;
   const double exact = Frustum(1.0, 0.5, radius);
   const std::vector<Cone> one = { MakeCone({ 0.0, 0.0, 2.0 }, 0.5, 0.3, std::atan(0.15)) };
-  EXPECT_NEAR(umbra(one, vtkShadowVolume::INNER_CONES) / exact, 1.0, 0.015);
-  EXPECT_NEAR(umbra(one, vtkShadowVolume::BASE_DISCS) / exact, 1.0, 0.025);
+  EXPECT_NEAR(umbra(one, vtkShadowVolume::InnerCones) / exact, 1.0, 0.015);
+  EXPECT_NEAR(umbra(one, vtkShadowVolume::BaseDiscs) / exact, 1.0, 0.025);
   // The flower's shape: between its inscribed circle (where petals meet) and its circumscribed one.
-  const double alone = umbra(seven, vtkShadowVolume::INNER_CONES);
-  const double together = umbra(seven, vtkShadowVolume::BASE_DISCS);
+  const double alone = umbra(seven, vtkShadowVolume::InnerCones);
+  const double together = umbra(seven, vtkShadowVolume::BaseDiscs);
   EXPECT_GT(together, 2.0 * alone);
   EXPECT_LT(together, exact);
   EXPECT_GT(together, Frustum(1.0, 0.433, 0.433 + 0.5 * (0.433 - 0.2)));
@@ -335,7 +306,7 @@ TEST(ShadowVolume, DiscsTogetherHideMoreThanEachAlone)
 
 TEST(ShadowVolume, BoundsCloseTheSurface)
 {
-  const Data cones = MakeConeSet({ MakeCone({}, 0.5, 0.2, -0.2) });
+  const Data cones = ConeSetOf({ MakeCone({}, 0.5, 0.2, -0.2) });
   auto filter = Filter::New();
   filter->SetInputData(cones);
   filter->SetBounds(0.0, 4.0, -4.0, 4.0, -1.0, 1.5);
@@ -358,7 +329,7 @@ TEST(ShadowVolume, BoundsCloseTheSurface)
 
 TEST(ShadowVolume, LengthWithoutBoundsIsTheDiagonalOfTheBases)
 {
-  const Data cones = MakeConeSet({ MakeCone({}, 0.5, 0.0, 0.0), MakeCone({ 3.0, 0.0, 0.0 }, 0.5, 0.0, 0.0) });
+  const Data cones = ConeSetOf({ MakeCone({}, 0.5, 0.0, 0.0), MakeCone({ 3.0, 0.0, 0.0 }, 0.5, 0.0, 0.0) });
   const Filter filter = Volume(cones, 0.0);
   EXPECT_NEAR(filter->GetOutput(0)->GetBounds()[5], std::sqrt(16.0 + 1.0 + 1.0), 0.02);
 }
@@ -367,7 +338,7 @@ TEST(ShadowVolume, AnyConesGiveClosedManifolds)
 {
   for (const int resolution : { 4, 9, 17, 30 })
   {
-    const Data cones = MakeConeSet(RandomCones(150, static_cast<std::uint64_t>(resolution)));
+    const Data cones = ConeSetOf(RandomCones(150, static_cast<std::uint64_t>(resolution)));
     auto filter = Volume(cones, 0.7, resolution);
     filter->SetBounds(-0.4, 0.6, -0.5, 0.45, -0.3, 0.7);
     filter->PerOccluderOff();
@@ -387,7 +358,7 @@ TEST(ShadowVolume, AnyConesGiveClosedManifolds)
 
 TEST(ShadowVolume, OneSurfaceAnOccluder)
 {
-  const Data cones = MakeConeSet({ MakeCone({}, 0.5, 0.1, -0.1, 9), MakeCone({ 0.3, 0.0, 0.0 }, 0.5, 0.1, -0.1, 4),
+  const Data cones = ConeSetOf({ MakeCone({}, 0.5, 0.1, -0.1, 9), MakeCone({ 0.3, 0.0, 0.0 }, 0.5, 0.1, -0.1, 4),
     MakeCone({ 0.0, 0.2, 0.0 }, 0.5, 0.1, -0.1, 9) });
   auto filter = Volume(cones, 1.0);
   const Data both = filter->GetOutput(0);
@@ -410,16 +381,16 @@ TEST(ShadowVolume, OneSurfaceAnOccluder)
 
 TEST(ShadowVolume, FarAwayAndTiny)
 {
-  const double reference = ExpectSolid(Volume(MakeConeSet({ MakeCone({}, 0.5, 0.4, -0.3) }), 2.0)->GetOutput());
-  const Data far = MakeConeSet({ MakeCone({ 1e6, -1e6, 1e6 }, 0.5, 0.4, -0.3) });
+  const double reference = ExpectSolid(Volume(ConeSetOf({ MakeCone({}, 0.5, 0.4, -0.3) }), 2.0)->GetOutput());
+  const Data far = ConeSetOf({ MakeCone({ 1e6, -1e6, 1e6 }, 0.5, 0.4, -0.3) });
   EXPECT_NEAR(ExpectSolid(Volume(far, 2.0)->GetOutput()) / reference, 1.0, 1e-5);
-  const Data tiny = MakeConeSet({ MakeCone({}, 0.5e-3, 0.4, -0.3) });
+  const Data tiny = ConeSetOf({ MakeCone({}, 0.5e-3, 0.4, -0.3) });
   EXPECT_NEAR(ExpectSolid(Volume(tiny, 2e-3)->GetOutput()) / (1e-9 * reference), 1.0, 1e-5);
 }
 
 TEST(ShadowVolume, BooleanOperations)
 {
-  const Filter filter = Volume(MakeConeSet({ MakeCone({}, 0.5, 0.3, -0.2) }), 1.5, 16);
+  const Filter filter = Volume(ConeSetOf({ MakeCone({}, 0.5, 0.3, -0.2) }), 1.5, 16);
   vtkNew<vtkCubeSource> cube;
   cube->SetBounds(-0.3131, 3.0, -3.0, 3.0, -1.0, 1.2171);
   vtkNew<vtkTriangleFilter> triangles;
@@ -445,7 +416,7 @@ TEST(ShadowVolume, BooleanOperations)
 
 TEST(ShadowVolume, ClipClosedSurface)
 {
-  const Filter filter = Volume(MakeConeSet({ MakeCone({}, 0.5, 0.3, -0.2) }), 1.5);
+  const Filter filter = Volume(ConeSetOf({ MakeCone({}, 0.5, 0.3, -0.2) }), 1.5);
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(0.0, 0.0, 0.0);
   plane->SetNormal(1.0, 0.3, 0.1);
@@ -469,89 +440,17 @@ TEST(ShadowVolume, ClipClosedSurface)
   EXPECT_NEAR(parts / VolumeOf(filter->GetOutput()), 1.0, 1e-6);
 }
 
-TEST(ShadowVolume, SameBytesForThreadsAndPieces)
-{
-  const Data cones = MakeConeSet(RandomCones(60, 4));
-  vtkSMPTools::Initialize(1);
-  const auto one = Volume(cones, 0.5, 24);
-  vtkSMPTools::Initialize(2);
-  const auto two = Volume(cones, 0.5, 24);
-  vtkSMPTools::Initialize(0);
-  for (int port = 0; port < 2; ++port)
-  {
-    const auto whole = Bytes(one->GetOutput(port));
-    EXPECT_EQ(whole, Bytes(two->GetOutput(port)));
-    for (const int pieces : { 4, 7 })
-    {
-      const auto filter = Volume(cones, 0.5, 24);
-      std::vector<double> joined;
-      for (int piece = 0; piece < pieces; ++piece)
-      {
-        vtkNew<vtkInformationVector> requests;
-        requests->SetNumberOfInformationObjects(2);
-        vtkInformation* request = requests->GetInformationObject(port);
-        request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), piece);
-        request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
-        filter->Update(port, requests);
-        const auto values = Bytes(filter->GetOutput(port));
-        EXPECT_LT(values.size(), whole.size());
-        joined.insert(joined.end(), values.begin(), values.end());
-      }
-      EXPECT_EQ(joined, whole);
-    }
-  }
-}
-
-TEST(ShadowVolume, ProgressAbortInput)
-{
-  const Data cones = MakeConeSet(RandomCones(60, 4));
-  auto before = Data::New();
-  before->DeepCopy(cones);
-  auto filter = Filter::New();
-  filter->SetInputData(cones);
-  filter->SetLength(0.5);
-  std::vector<double> shares;
-  vtkNew<vtkCallbackCommand> progress;
-  progress->SetClientData(&shares);
-  progress->SetCallback([](vtkObject*, unsigned long, void* list, void* share)
-    { static_cast<std::vector<double>*>(list)->push_back(*static_cast<double*>(share)); });
-  filter->AddObserver(vtkCommand::ProgressEvent, progress);
-  const vtkMTimeType time = cones->GetMTime();
-  filter->Update();
-  EXPECT_EQ(cones->GetMTime(), time);
-  for (int i = 0; i < before->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    for (vtkIdType k = 0; k < before->GetPointData()->GetArray(i)->GetNumberOfValues(); ++k)
-    {
-      EXPECT_EQ(before->GetPointData()->GetArray(i)->GetVariantValue(k),
-        cones->GetPointData()->GetArray(i)->GetVariantValue(k));
-    }
-  }
-  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
-  EXPECT_GE(std::set<double>(shares.begin(), shares.end()).size(), 10u);
-
-  vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback(
-    [](vtkObject* self, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(self)->SetAbortExecute(1); });
-  filter->AddObserver(vtkCommand::ProgressEvent, abort);
-  filtertesting::Messages messages(filter);
-  filter->Modified();
-  filter->Update();
-  EXPECT_EQ(filter->GetOutput(0)->GetNumberOfCells(), 0);
-  EXPECT_EQ(messages.Errors, "");
-}
-
 TEST(ShadowVolume, EmptyAndFlatInputs)
 {
   auto filter = Filter::New();
-  filtertesting::Messages messages(filter);
-  filter->SetInputData(MakeConeSet({}));
+  Messages messages(filter);
+  filter->SetInputData(ConeSetOf({}));
   filter->Update();
   EXPECT_EQ(filter->GetOutput(0)->GetNumberOfCells(), 0);
   EXPECT_TRUE(filter->GetOutput(0)->GetCellData()->GetArray("OccluderId"));
 
   // A line has no volume; its neighbour has.
-  filter->SetInputData(MakeConeSet({ MakeCone({}, 0.0, 0.0, 0.0, 1), MakeCone({}, 0.2, 0.1, -0.1, 2) }));
+  filter->SetInputData(ConeSetOf({ MakeCone({}, 0.0, 0.0, 0.0, 1), MakeCone({}, 0.2, 0.1, -0.1, 2) }));
   filter->Update();
   EXPECT_EQ(Ids(filter->GetOutput(0)).front(), 2);
   EXPECT_EQ(messages.Errors, "");
@@ -559,7 +458,7 @@ TEST(ShadowVolume, EmptyAndFlatInputs)
 
 TEST(ShadowVolume, FieldDataIsThatOfTheConeSet)
 {
-  const Data cones = MakeConeSet({ MakeCone({}, 0.5, 0.2, -0.1) });
+  const Data cones = ConeSetOf({ MakeCone({}, 0.5, 0.2, -0.1) });
   AddIntArray(cones->GetFieldData(), "Seed", 1, { 5 });
   const Filter filter = Volume(cones, 1.0, 8);
   EXPECT_EQ(filter->GetOutput(0)->GetFieldData()->GetArray("Seed")->GetComponent(0, 0), 5.0);
@@ -577,8 +476,12 @@ TEST(ShadowVolume, Messages)
   {
     ExpectHas(Error([=](vtkShadowVolume* f, vtkPolyData*) { f->SetLength(length); }), "Length is");
   }
-  ExpectHas(Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetBounds(0, 1, 1, 0, 0, 1); }), "Bounds are 0, 1, 1, 0");
-  ExpectHas(Error([=](vtkShadowVolume* f, vtkPolyData*) { f->SetBounds(0, 1, 0, nan, 0, 1); }), "Bounds are");
+  ExpectHas(
+    Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetBounds(0, 1, 1, 0, 0, 1); }), "Bounds along y run from 1 to 0");
+  ExpectHas(Error([=](vtkShadowVolume* f, vtkPolyData*) { f->SetBounds(0, 1, 0, nan, 0, 1); }),
+    "Bounds along y run from 0 to nan");
+  ExpectHas(Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetBounds(0, 1, 2, 2, 0, 1); }),
+    "Bounds are flat: they must enclose a volume.");
   ExpectHas(Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetUmbra(2); }), "Umbra is 2");
   ExpectHas(Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetUmbraToBaseDiscs(); }), "does not carry the light");
   ExpectHas(Error([](vtkShadowVolume*, vtkPolyData* c) { c->GetPointData()->RemoveArray("Axis"); }), "Axis");
@@ -591,7 +494,7 @@ TEST(ShadowVolume, Messages)
     "The outer bound of occluder 7 needs");
   ExpectHas(Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetLength(1e308); }), "beyond double precision");
   ExpectHas(
-    Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetInputData(MakeConeSet({ MakeCone({}, 0.0, 0.2, -0.1) })); }),
+    Error([](vtkShadowVolume* f, vtkPolyData*) { f->SetInputData(ConeSetOf({ MakeCone({}, 0.0, 0.2, -0.1) })); }),
     "set Length or Bounds");
 }
 

@@ -8,21 +8,20 @@
 
 #include "vtkScatteringImageFilter.h"
 
-#include "scConeData.h"
+#include "Messages.h"
+#include "TestPolyData.h"
+
 #include "scFieldArrays.h"
 #include "vtkAreaLightSource.h"
 #include "vtkVisibilityVolume.h"
 
 #include "vtkAppendPolyData.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
+#include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkRegularPolygonSource.h"
@@ -39,6 +38,8 @@
 namespace imagetesting
 {
 
+using namespace shadowcones::testsupport;
+
 constexpr int width = 12;
 constexpr int height = 10;
 constexpr const char* arrays[] = { "Radiance", "InScattering", "SurfaceRadiance", "Transmittance", "Depth",
@@ -47,24 +48,21 @@ constexpr int allModes[] = { vtkScatteringImageFilter::BruteForce, vtkScattering
   vtkScatteringImageFilter::Fast, vtkScatteringImageFilter::Guided, vtkScatteringImageFilter::Soft,
   vtkScatteringImageFilter::Volume };
 
-inline vtkSmartPointer<vtkPolyData> Plane(const double origin[3], const double u[3], const double v[3])
+inline vtkSmartPointer<vtkPolyData> TiltedPlate()
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(origin[0], origin[1], origin[2]);
-  plane->SetPoint1(origin[0] + u[0], origin[1] + u[1], origin[2] + u[2]);
-  plane->SetPoint2(origin[0] + v[0], origin[1] + v[1], origin[2] + v[2]);
-  plane->Update();
-  return plane->GetOutput();
+  return Plane({ -0.7, 0.1, -0.5 }, { 1.2, 0.3, 0.0 }, { 0.0, 0.1, 1.1 });
 }
 
-/// A tilted plate over a floor.
+inline vtkSmartPointer<vtkPolyData> Floor()
+{
+  return Plane({ -2.0, -1.9, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 4.0 });
+}
+
 inline vtkSmartPointer<vtkPolyData> PlateAndFloor()
 {
-  const double plate[3][3] = { { -0.7, 0.1, -0.5 }, { 1.2, 0.3, 0.0 }, { 0.0, 0.1, 1.1 } };
-  const double floor[3][3] = { { -2.0, -1.9, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 4.0 } };
   vtkNew<vtkAppendPolyData> append;
-  append->AddInputData(Plane(plate[0], plate[1], plate[2]));
-  append->AddInputData(Plane(floor[0], floor[1], floor[2]));
+  append->AddInputData(TiltedPlate());
+  append->AddInputData(Floor());
   append->Update();
   return append->GetOutput();
 }
@@ -72,16 +70,7 @@ inline vtkSmartPointer<vtkPolyData> PlateAndFloor()
 /// One cone that holds all of the plate's shadow.
 inline vtkSmartPointer<vtkPolyData> BoundingCone()
 {
-  shadowcones::Cone cone;
-  cone.Center = { -0.1, 0.9, 0.0 };
-  cone.Axis = { 0.0, -1.0, 0.0 };
-  cone.Normal = cone.Axis;
-  cone.BaseRadius = 1.5;
-  cone.HalfAngle = std::atan(2.0 / 1.1);
-  cone.OccluderId = 0;
-  auto output = vtkSmartPointer<vtkPolyData>::New();
-  shadowcones::WriteConeSet({ cone }, output);
-  return output;
+  return ConeSetOf({ MakeCone({ -0.1, 0.9, 0.0 }, { 0.0, -1.0, 0.0 }, 1.5, std::atan(2.0 / 1.1), 0) });
 }
 
 constexpr double discRadius = 0.6;
@@ -104,16 +93,10 @@ inline vtkSmartPointer<vtkPolyData> Disc()
 /// The cone that holds all of the disc's shadow and has the disc for its base.
 inline vtkSmartPointer<vtkPolyData> DiscCone()
 {
-  shadowcones::Cone cone;
-  cone.Center = { 0.0, discHeight, 0.0 };
-  cone.Axis = { 0.0, -1.0, 0.0 };
+  shadowcones::Cone cone = MakeCone({ 0.0, discHeight, 0.0 }, { 0.0, -1.0, 0.0 }, discRadius,
+    std::atan((lampRadius + discRadius) / (lampHeight - discHeight)), 0);
   cone.Normal = { 0.0, 1.0, 0.0 };
-  cone.BaseRadius = discRadius;
-  cone.HalfAngle = std::atan((lampRadius + discRadius) / (lampHeight - discHeight));
-  cone.OccluderId = 0;
-  auto output = vtkSmartPointer<vtkPolyData>::New();
-  shadowcones::WriteConeSet({ cone }, output);
-  return output;
+  return ConeSetOf({ cone });
 }
 
 /// An image over x, y and z from -2 to 2 with the same value everywhere.
@@ -129,40 +112,30 @@ inline vtkSmartPointer<vtkImageData> Constant(const char* name, float value, int
   return image;
 }
 
-/// Errors and warnings of a filter and its executive, kept instead of printed.
-class Messages
+/// After an update.
+inline vtkSmartPointer<vtkImageData> CopyOfOutput(vtkImageAlgorithm* filter)
 {
-public:
-  explicit Messages(vtkAlgorithm* filter)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long event, void* self, void* text)
-      {
-        auto* messages = static_cast<Messages*>(self);
-        (event == vtkCommand::ErrorEvent ? messages->Text : messages->Warnings) += static_cast<const char*>(text);
-      });
-    for (vtkObject* speaker : { static_cast<vtkObject*>(filter), static_cast<vtkObject*>(filter->GetExecutive()) })
-    {
-      speaker->AddObserver(vtkCommand::ErrorEvent, this->Command);
-      speaker->AddObserver(vtkCommand::WarningEvent, this->Command);
-    }
-    this->Filter = filter;
-  }
-  ~Messages()
-  {
-    this->Filter->RemoveObserver(this->Command);
-    this->Filter->GetExecutive()->RemoveObserver(this->Command);
-  }
-  Messages(const Messages&) = delete;
-  Messages& operator=(const Messages&) = delete;
-  std::string Text; ///< of errors
-  std::string Warnings;
+  filter->Update();
+  auto copy = vtkSmartPointer<vtkImageData>::New();
+  copy->DeepCopy(filter->GetOutput());
+  return copy;
+}
 
-private:
-  vtkSmartPointer<vtkAlgorithm> Filter;
-  vtkNew<vtkCallbackCommand> Command;
-};
+/// Update must fail with a message that holds the text, and leave no image.
+inline void ExpectNoImage(vtkImageAlgorithm* filter, const std::string& part)
+{
+  filter->Modified();
+  EXPECT_SAYS(ErrorsOf(filter), part);
+  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+}
+
+inline void SetLamp(vtkAreaLightSource* lamp)
+{
+  lamp->SetShapeToDisc();
+  lamp->SetCenter(0.0, lampHeight, 0.0);
+  lamp->SetNormal(0.0, -1.0, 0.0);
+  lamp->SetRadius(lampRadius);
+}
 
 /// A filter with a lamp over a plate and a floor in brute force, at a test's sample counts.
 class ImageTest : public testing::Test
@@ -170,10 +143,7 @@ class ImageTest : public testing::Test
 protected:
   ImageTest()
   {
-    this->Light->SetShapeToDisc();
-    this->Light->SetCenter(0.0, lampHeight, 0.0);
-    this->Light->SetNormal(0.0, -1.0, 0.0);
-    this->Light->SetRadius(lampRadius);
+    SetLamp(this->Light);
     this->Camera->SetPosition(0.0, 0.0, 7.0);
     this->Camera->SetFocalPoint(0.0, 0.0, 0.0);
     this->Camera->SetViewAngle(38.0);
@@ -203,23 +173,9 @@ protected:
     this->Filter->LightVisibleOff();
   }
 
-  vtkSmartPointer<vtkImageData> Image()
-  {
-    this->Filter->Update();
-    auto copy = vtkSmartPointer<vtkImageData>::New();
-    copy->DeepCopy(this->Filter->GetOutput());
-    return copy;
-  }
+  vtkSmartPointer<vtkImageData> Image() { return CopyOfOutput(this->Filter); }
 
-  /// Update must fail with a message that holds the text, and leave no image.
-  void ExpectError(const std::string& part)
-  {
-    Messages messages(this->Filter);
-    this->Filter->Modified();
-    this->Filter->Update();
-    EXPECT_NE(messages.Text.find(part), std::string::npos) << "got: " << messages.Text;
-    EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
-  }
+  void ExpectError(const std::string& part) { ExpectNoImage(this->Filter, part); }
 
   vtkNew<vtkAreaLightSource> Light;
   vtkNew<vtkCamera> Camera;

@@ -74,7 +74,7 @@ TEST_F(LightsOfImage, RadianceAddsUpInEveryMode)
     }
     EXPECT_EQ(both->GetFieldData()->GetAbstractArray("LightFingerprint")->GetNumberOfTuples(), 2);
   }
-  EXPECT_EQ(messages.Text, "");
+  EXPECT_EQ(messages.Errors, "");
 }
 
 TEST_F(LightsOfImage, BlocksAreLights)

@@ -18,39 +18,20 @@ namespace
 /// The plate and the floor of PlateAndFloor() as two blocks, the plate with a reflectance of its own.
 vtkSmartPointer<vtkMultiBlockDataSet> Blocks()
 {
-  const double plate[3][3] = { { -0.7, 0.1, -0.5 }, { 1.2, 0.3, 0.0 }, { 0.0, 0.1, 1.1 } };
-  const double floor[3][3] = { { -2.0, -1.9, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 4.0 } };
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  const auto cover = Plane(plate[0], plate[1], plate[2]);
+  const auto cover = TiltedPlate();
   shadowcones::AddDoubleArray(cover->GetCellData(), "Reflectance", 1, { 0.5 });
   blocks->SetBlock(0, cover);
-  blocks->SetBlock(1, Plane(floor[0], floor[1], floor[2]));
+  blocks->SetBlock(1, Floor());
   blocks->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "plate");
   blocks->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "floor");
   return blocks;
 }
 
-/// Warnings of a filter.
-std::string WarningsOf(vtkAlgorithm* filter)
-{
-  std::string text;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&text);
-  command->SetCallback([](vtkObject*, unsigned long, void* all, void* warning)
-    { *static_cast<std::string*>(all) += static_cast<const char*>(warning); });
-  const unsigned long tag = filter->AddObserver(vtkCommand::WarningEvent, command);
-  filter->Update();
-  filter->RemoveObserver(tag);
-  return text;
-}
-
 vtkSmartPointer<vtkAreaLightSource> Lamp()
 {
   auto lamp = vtkSmartPointer<vtkAreaLightSource>::New();
-  lamp->SetShapeToDisc();
-  lamp->SetCenter(0.0, lampHeight, 0.0);
-  lamp->SetNormal(0.0, -1.0, 0.0);
-  lamp->SetRadius(lampRadius);
+  SetLamp(lamp);
   return lamp;
 }
 

@@ -2,17 +2,16 @@
 // The visibility volume as image data: arrays, bounds, bricks, files, extents, and a message for each fault.
 #include "vtkVisibilityVolume.h"
 
+#include "ImageTesting.h"
+
 #include "scConeData.h"
 #include "scFieldArrays.h"
 #include "scVisibilityData.h"
 #include "vtkAreaLightSource.h"
 #include "vtkScatteringImageFilter.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
-#include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkExecutive.h"
 #include "vtkExtractVOI.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -23,7 +22,6 @@
 #include "vtkIntArray.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -40,58 +38,19 @@
 #include <sstream>
 #include <string>
 
+using namespace imagetesting;
+
 namespace
 {
 
-/// Errors of a filter and its executive, kept instead of printed.
-class Messages
-{
-public:
-  explicit Messages(vtkAlgorithm* filter)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<Messages*>(self)->Text += static_cast<const char*>(text); });
-    filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    this->Filter = filter;
-  }
-  ~Messages()
-  {
-    this->Filter->RemoveObserver(this->Command);
-    this->Filter->GetExecutive()->RemoveObserver(this->Command);
-  }
-  Messages(const Messages&) = delete;
-  Messages& operator=(const Messages&) = delete;
-  std::string Text;
-
-private:
-  vtkSmartPointer<vtkAlgorithm> Filter;
-  vtkNew<vtkCallbackCommand> Command;
-};
-
 vtkSmartPointer<vtkPolyData> Plate()
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-0.6, 0.43, -0.5);
-  plane->SetPoint1(0.6, 0.43, -0.5);
-  plane->SetPoint2(-0.6, 0.43, 0.5);
-  plane->Update();
-  return plane->GetOutput();
+  return Plane({ -0.6, 0.43, -0.5 }, { 1.2, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
 }
 
 vtkSmartPointer<vtkPolyData> PlateCone(double height = 0.43)
 {
-  shadowcones::Cone cone;
-  cone.Center = { 0.0, height, 0.0 };
-  cone.Axis = { 0.0, -1.0, 0.0 };
-  cone.Normal = cone.Axis;
-  cone.BaseRadius = 0.8;
-  cone.HalfAngle = std::atan(1.2 / 1.57);
-  cone.OccluderId = 0;
-  auto output = vtkSmartPointer<vtkPolyData>::New();
-  shadowcones::WriteConeSet({ cone }, output);
-  return output;
+  return ConeSetOf({ MakeCone({ 0.0, height, 0.0 }, { 0.0, -1.0, 0.0 }, 0.8, std::atan(1.2 / 1.57), 0) });
 }
 
 class VisibilityVolume : public testing::Test
@@ -99,10 +58,7 @@ class VisibilityVolume : public testing::Test
 protected:
   VisibilityVolume()
   {
-    this->Light->SetShapeToDisc();
-    this->Light->SetCenter(0.0, 2.0, 0.0);
-    this->Light->SetNormal(0.0, -1.0, 0.0);
-    this->Light->SetRadius(0.4);
+    SetLamp(this->Light);
     this->Filter->SetInputData(PlateCone());
     this->Filter->SetLightConnection(this->Light->GetOutputPort());
     this->Filter->SetMeshData(Plate());
@@ -110,13 +66,7 @@ protected:
     this->Filter->SetBounds(-1.0, 1.0, -1.0, 1.5, -1.1, 1.2);
   }
 
-  vtkSmartPointer<vtkImageData> Volume()
-  {
-    this->Filter->Update();
-    auto copy = vtkSmartPointer<vtkImageData>::New();
-    copy->DeepCopy(this->Filter->GetOutput());
-    return copy;
-  }
+  vtkSmartPointer<vtkImageData> Volume() { return CopyOfOutput(this->Filter); }
   shadowcones::VisibilityGrid Read(vtkImageData* volume)
   {
     shadowcones::VisibilityGrid grid;
@@ -124,15 +74,7 @@ protected:
     EXPECT_TRUE(shadowcones::ReadVisibilityGrid(volume, grid, error, this->Warning)) << error;
     return grid;
   }
-  /// Update must fail with a message that holds the text, and leave no volume.
-  void ExpectError(const std::string& part)
-  {
-    Messages messages(this->Filter);
-    this->Filter->Modified();
-    this->Filter->Update();
-    EXPECT_NE(messages.Text.find(part), std::string::npos) << "got: " << messages.Text;
-    EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
-  }
+  void ExpectError(const std::string& part) { ExpectNoImage(this->Filter, part); }
   /// Reading a volume after a change must fail with a sentence that holds the text.
   void ExpectUnreadable(const std::string& part, const std::function<void(vtkImageData*)>& change)
   {
@@ -353,7 +295,7 @@ TEST_F(VisibilityVolume, ExactNeedsNoCones)
   this->Filter->SetInputConnection(nullptr);
   Messages messages(this->Filter);
   const auto without = this->Volume();
-  EXPECT_EQ(messages.Text, "");
+  EXPECT_EQ(messages.Errors, "");
   vtkDataArray* one = withCones->GetPointData()->GetArray("Visibility");
   vtkDataArray* two = without->GetPointData()->GetArray("Visibility");
   ASSERT_EQ(one->GetNumberOfTuples(), two->GetNumberOfTuples());
@@ -364,7 +306,7 @@ TEST_F(VisibilityVolume, ExactNeedsNoCones)
   }
   this->Filter->SetMethodToSoft();
   this->Filter->Update();
-  EXPECT_NE(messages.Text.find("There is no cone set."), std::string::npos) << messages.Text;
+  EXPECT_NE(messages.Errors.find("There is no cone set."), std::string::npos) << messages.Errors;
 }
 
 TEST_F(VisibilityVolume, AnEmptyConeSetLeavesEverythingLit)
@@ -376,14 +318,14 @@ TEST_F(VisibilityVolume, AnEmptyConeSetLeavesEverythingLit)
   double range[2];
   this->Volume()->GetPointData()->GetArray("Visibility")->GetRange(range);
   EXPECT_EQ(range[0], 1.0);
-  EXPECT_EQ(messages.Text, "");
+  EXPECT_EQ(messages.Errors, "");
   // Nothing at all gives an empty volume.
   this->Light->SetShapeToSun();
   this->Filter->SetMethodToSoft();
   this->Filter->SetMeshConnection(nullptr);
   this->Filter->SetBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
   EXPECT_EQ(this->Volume()->GetPointData()->GetNumberOfArrays(), 0);
-  EXPECT_EQ(messages.Text, "");
+  EXPECT_EQ(messages.Errors, "");
 }
 
 TEST_F(VisibilityVolume, BadParametersAreReported)
@@ -401,7 +343,7 @@ TEST_F(VisibilityVolume, BadParametersAreReported)
   this->ExpectError("RefinementThreshold is nan: it must be in 0..1.");
   this->Filter->SetRefinementThreshold(0.5);
   this->Filter->SetBounds(-1.0, 1.0, 0.5, 0.5, -1.0, 1.0);
-  this->ExpectError("Bounds along y run from 0.5 to 0.5: they must be finite, and the first below the second.");
+  this->ExpectError("Bounds are flat: they must enclose a volume.");
   this->Filter->SetBounds(-1.0, 1.0, 0.0, 1.0, -1.0, 1.0);
   this->Filter->SetDimensions(9, 1, 9);
   this->ExpectError("Dimensions are 9, 1, 9: each must be at least 2, and all together at most 2^31 - 1 points.");
@@ -587,13 +529,7 @@ TEST_F(VisibilityVolume, AnImageShowsEditedVisibility)
   image->SetModeToVolume();
   image->SetResolution(9, 7);
   image->SetMediumBounds(-1.0, 1.0, -1.0, 1.5, -1.1, 1.2);
-  std::string said;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&said);
-  command->SetCallback([](vtkObject*, unsigned long, void* to, void* text)
-    { *static_cast<std::string*>(to) += static_cast<const char*>(text); });
-  image->AddObserver(vtkCommand::WarningEvent, command);
-  image->Update();
+  const std::string said = WarningsOf(image);
   EXPECT_NE(said.find("bricks of the visibility volume are left out"), std::string::npos) << said;
   vtkNew<vtkImageData> lit;
   lit->DeepCopy(image->GetOutput());

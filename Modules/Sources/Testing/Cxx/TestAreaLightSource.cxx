@@ -3,11 +3,11 @@
 #include "scLightData.h"
 #include "vtkAreaLightSource.h"
 
-#include "vtkCallbackCommand.h"
+#include "Messages.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkMassProperties.h"
@@ -27,26 +27,10 @@
 #include <string>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
-
-// Run the source and return what it reports; empty where it is content.
-std::string UpdateErrors(vtkAreaLightSource* source)
-{
-  std::string text;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&text);
-  observer->SetCallback([](vtkObject*, unsigned long, void* client, void* message) {
-    *static_cast<std::string*>(client) += static_cast<const char*>(message);
-  });
-  const unsigned long a = source->AddObserver(vtkCommand::ErrorEvent, observer);
-  const unsigned long b = source->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
-  source->Update();
-  source->RemoveObserver(a);
-  source->GetExecutive()->RemoveObserver(b);
-  return text;
-}
 
 Light ReadBack(vtkPolyData* data)
 {
@@ -92,7 +76,7 @@ TEST(AreaLightSource, EachShapeComesBackExactly)
     source->SetHeight(2.0);
     source->SetRadiance(5.0);
     source->SetRadianceSpectrum(2, 7.0);
-    ASSERT_EQ(UpdateErrors(source), "");
+    ASSERT_EQ(ErrorsOf(source), "");
     const Light light = ReadBack(source->GetOutput());
     EXPECT_EQ(static_cast<int>(light.Shape), shape);
     EXPECT_EQ(light.Spectrum, (std::vector<double>{ 5.0, 5.0, 7.0, 5.0, 5.0, 5.0, 5.0 }));
@@ -203,7 +187,7 @@ TEST(AreaLightSource, UpMayBeParallelToNormal)
   {
     source->SetNormal(0.0, 5.0, 0.0);
     source->SetUp(up.X, up.Y, up.Z);
-    ASSERT_EQ(UpdateErrors(source), "");
+    ASSERT_EQ(ErrorsOf(source), "");
     EXPECT_NEAR(LightArea(ReadBack(source->GetOutput())), 1.0, 1e-14);
   }
 }
@@ -225,6 +209,17 @@ TEST(AreaLightSource, SpectrumAndWavelengths)
   EXPECT_EQ(source->GetRadianceSpectrum(1), 2.0);
   source->Update();
   EXPECT_EQ(ReadBack(source->GetOutput()).Spectrum, (std::vector<double>{ 2.0, 2.0, 2.0 }));
+
+  vtkNew<vtkDoubleArray> radiances;
+  radiances->InsertNextValue(5.0);
+  radiances->InsertNextValue(6.0);
+  source->SetRadianceSpectrum(2, 9.0);
+  source->SetRadianceSpectrum(radiances);
+  source->Update();
+  EXPECT_EQ(ReadBack(source->GetOutput()).Spectrum, (std::vector<double>{ 5.0, 6.0, 2.0 }));
+  source->ClearRadianceSpectrum();
+  source->Update();
+  EXPECT_EQ(ReadBack(source->GetOutput()).Spectrum, (std::vector<double>{ 2.0, 2.0, 2.0 }));
 }
 
 TEST(AreaLightSource, EachPieceHoldsTheWholeLight)
@@ -242,7 +237,7 @@ TEST(AreaLightSource, EachBadParameterHasItsSentence)
     vtkNew<vtkAreaLightSource> source;
     source->Update();
     change(source);
-    const std::string text = UpdateErrors(source);
+    const std::string text = ErrorsOf(source);
     EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
     EXPECT_EQ(source->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
     return text;
@@ -258,7 +253,7 @@ TEST(AreaLightSource, EachBadParameterHasItsSentence)
   expect(fault([](vtkAreaLightSource* s) { s->SetCenter(0.0, notANumber, 0.0); }), "Center must be finite");
   expect(fault([](vtkAreaLightSource* s) { s->SetRadiance(-1.0); }), "spectrum has a negative value");
   expect(fault([](vtkAreaLightSource* s) { s->SetRadianceSpectrum(3, notANumber); }), "spectrum has a value that");
-  expect(fault([](vtkAreaLightSource* s) { s->SetRadianceSpectrum(7, 1.0); }), "indices run from 0 to 6");
+  expect(fault([](vtkAreaLightSource* s) { s->SetRadianceSpectrum(7, 1.0); }), "wavelength sample 7: the light has 7, which count from 0.");
   expect(fault([](vtkAreaLightSource* s) { s->SetRadianceSpectrum(-1, 1.0); }), "wavelength sample -1");
   expect(fault([](vtkAreaLightSource* s) { s->SetNumberOfWavelengths(0); }), "NumberOfWavelengths is 0");
   expect(fault([](vtkAreaLightSource* s) { s->SetResolution(2); }), "Resolution is 2");
@@ -286,8 +281,8 @@ TEST(AreaLightSource, PrintSelfNamesEveryParameter)
   source->SetRadianceSpectrum(4, 8.5);
   std::ostringstream text;
   source->Print(text);
-  for (const char* name : { "Shape: 0", "Center: 0 0 0", "Normal: 0 0 1", "Radius: 0.5", "Width: 1", "Height: 1",
-         "Up: 0 1 0", "AngularDiameter: 0.533", "Radiance: 1", "RadianceSpectrum: [4] 8.5", "NumberOfWavelengths: 7",
+  for (const char* name : { "Shape: 0", "Center: 0, 0, 0", "Normal: 0, 0, 1", "Radius: 0.5", "Width: 1", "Height: 1",
+         "Up: 0, 1, 0", "AngularDiameter: 0.533", "Radiance: 1", "RadianceSpectrum: [4] 8.5", "NumberOfWavelengths: 7",
          "Resolution: 32" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;

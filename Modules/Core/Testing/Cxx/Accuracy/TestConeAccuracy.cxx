@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Accuracy: intervals that hold what they promise, truth that is known in closed form, and counts that add up.
-#include "SmallMeshes.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
+#include "scAccuracyTally.h"
+#include "scClassifyByCones.h"
+#include "scCone.h"
 #include "scConeAccuracy.h"
-#include "scConeIntervals.h"
+#include "scConeTally.h"
+#include "scEstimate.h"
+#include "scLightExtent.h"
 #include "scRandom.h"
+#include "scSamplePrediction.h"
+#include "scSampleTruth.h"
 
 #include <gtest/gtest.h>
 
@@ -11,25 +19,15 @@
 #include <cmath>
 
 using namespace shadowcones;
-using namespace smallmeshes;
+using namespace testsupport;
 
 namespace
 {
 
-/// A flat disc in a plane of constant z, as a fan.
-Mesh DiscMesh(const Vector3& center, double radius, int sides, int occluder = 0)
+TestMesh DiscMesh(const Vector3& center, double radius, int sides, int occluder = 0)
 {
-  Mesh mesh;
-  const vtkIdType middle = mesh.AddPoint(center);
-  for (int i = 0; i < sides; ++i)
-  {
-    const double phi = 2.0 * Pi * i / sides;
-    mesh.AddPoint(center + radius * Vector3{ std::cos(phi), std::sin(phi), 0.0 });
-  }
-  for (int i = 0; i < sides; ++i)
-  {
-    mesh.AddTriangle(middle, middle + 1 + i, middle + 1 + (i + 1) % sides, occluder);
-  }
+  TestMesh mesh;
+  mesh.AddDisc(center, radius, sides, occluder);
   return mesh;
 }
 
@@ -97,7 +95,7 @@ TEST(ConeAccuracy, ASharesIntervalOfEqualWeightsIsWilsons)
   {
     sums.Add(i < 8 ? 7 : 0, 7);
   }
-  const Estimate share = EstimateShare(sums);
+  const Estimate share = EstimateFraction(sums);
   const Estimate proportion = EstimateProportion(8, 10);
   EXPECT_DOUBLE_EQ(share.Value, proportion.Value);
   EXPECT_NEAR(share.Low, proportion.Low, 1e-12);
@@ -127,7 +125,7 @@ TEST(ConeAccuracy, IntervalsHoldTheTruth95TimesInAHundred)
       const int weight = 1 + static_cast<int>(16.0 * random.Next());
       sums.Add(random.Next() < 0.5 / weight ? weight : 0, weight);
     }
-    const Estimate share = EstimateShare(sums);
+    const Estimate share = EstimateFraction(sums);
     const Estimate ratio = EstimateRatio(sums);
     heldByShare += share.Low <= truth && truth <= share.High;
     heldByRatio += ratio.Low <= truth && truth <= ratio.High;
@@ -169,7 +167,7 @@ TEST(ConeAccuracy, TruthOfADiscIsItsClosedForm)
   // Light radius 0.5 at height 4, occluder radius 0.25 at height 3: on the axis at depth d below it the shadow covers a
   // disc of radius 0.25 (1 + d) / d ... of the light: visible is 1 - (0.25 (1 + d) / d / 0.5)^2 where that is positive.
   const Light light = DiscLight({ 0.0, 0.0, 4.0 }, { 0.0, 0.0, -1.0 }, 0.5);
-  const Mesh mesh = DiscMesh({ 0.0, 0.0, 3.0 }, 0.25, 512, 4);
+  const TestMesh mesh = DiscMesh({ 0.0, 0.0, 3.0 }, 0.25, 512, 4);
   const OccluderScene scene(mesh.View());
   std::vector<Vector3> points;
   for (const double depth : { 0.5, 0.9, 1.5, 3.0 })
@@ -207,7 +205,7 @@ TEST(ConeAccuracy, TheOccluderThatBlocksMostIsNamed)
 {
   // Two sheets side by side below the light; the second hides three quarters of it.
   const Light light = DiscLight({ 0.0, 0.0, 4.0 }, { 0.0, 0.0, -1.0 }, 1.0);
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSheet({ -3.0, -3.0, 2.0 }, { 2.8, 0.0, 0.0 }, { 0.0, 6.0, 0.0 }, 7);
   mesh.AddSheet({ -0.2, -3.0, 2.0 }, { 3.2, 0.0, 0.0 }, { 0.0, 6.0, 0.0 }, 9);
   const OccluderScene scene(mesh.View());
@@ -222,7 +220,7 @@ TEST(ConeAccuracy, TheExactConeOfADiscIsFoundExact)
 {
   const Light light = DiscLight({ 0.0, 0.0, 4.0 }, { 0.0, 0.0, -1.0 }, 0.5);
   const Vector3 center{ 0.0, 0.0, 2.0 };
-  const Mesh mesh = DiscMesh(center, 1.0, 256);
+  const TestMesh mesh = DiscMesh(center, 1.0, 256);
   const OccluderScene scene(mesh.View());
   const std::vector<Vector3> points = Draw({ { -4.5, -4.5, 0.0 }, { 4.5, 4.5, 3.0 } }, 16000);
   std::vector<SampleTruth> truth;

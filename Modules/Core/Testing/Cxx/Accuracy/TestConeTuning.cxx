@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Chain.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
 #include "scConeTuning.h"
 
-#include "scConeIntervals.h"
+#include "scCone.h"
+#include "scConeHierarchy.h"
+#include "scLightSampling.h"
 #include "scRandom.h"
 #include "scShadowVectors.h"
 
@@ -15,6 +20,7 @@
 #include <utility>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -27,30 +33,10 @@ protected:
   {
     for (int strip = 0; strip < 7; ++strip)
     {
-      const double x = -1.0 + 0.3 * strip;
-      const vtkIdType first = static_cast<vtkIdType>(this->Points.size() / 3);
-      for (const double corner : { 0.0, 0.2 })
-      {
-        this->Points.insert(this->Points.end(), { x + corner, 0.0, -1.0, x + corner, 0.0, 1.0 });
-      }
-      this->Triangles.insert(
-        this->Triangles.end(), { first, first + 1, first + 3, first, first + 3, first + 2 });
-      this->Ids.insert(this->Ids.end(), { strip, strip });
+      this->Mesh.AddSheet({ -1.0 + 0.3 * strip, 0.0, -1.0 }, { 0.0, 0.0, 2.0 }, { 0.2, 0.0, 0.0 }, strip);
     }
-    this->Source.Shape = LightShape::Disc;
-    this->Source.Center = { 0.0, 2.0, 0.0 };
-    this->Source.Normal = { 0.0, -1.0, 0.0 };
-    this->Source.Radius = 0.3;
-    this->Source.Spectrum = { 1.0 };
-    ASSERT_EQ(PrepareLight(this->Source), nullptr);
-
-    TriangleMeshView mesh;
-    mesh.Points = this->Points.data();
-    mesh.NumberOfPoints = static_cast<vtkIdType>(this->Points.size() / 3);
-    mesh.Triangles = this->Triangles.data();
-    mesh.NumberOfTriangles = static_cast<vtkIdType>(this->Triangles.size() / 3);
-    mesh.OccluderIds = this->Ids.data();
-    this->Scene = std::make_unique<OccluderScene>(mesh);
+    this->Source = DiscLight({ 0.0, 2.0, 0.0 }, { 0.0, -1.0, 0.0 }, 0.3, { 1.0 });
+    this->Scene = std::make_unique<OccluderScene>(this->Mesh.View());
     this->Trace(4000);
     this->Extent = LightExtentOf(this->Source);
   }
@@ -59,17 +45,9 @@ protected:
   {
     ShadowVectorOptions options;
     options.TargetNumberOfVectors = count;
-    ASSERT_TRUE(TraceShadowVectors(*this->Scene, this->Source, options, {}, this->Traced));
-
-    this->Vectors.Count = static_cast<vtkIdType>(this->Traced.Vectors.OccluderIds.size());
-    this->Vectors.Points = this->Traced.Vectors.Points.data();
-    this->Vectors.Directions = this->Traced.Vectors.Directions.data();
-    this->Vectors.EmissionPoints = this->Traced.Vectors.EmissionPoints.data();
-    this->Paths.Count = static_cast<vtkIdType>(this->Traced.Paths.States.size());
-    this->Paths.Points = this->Traced.Paths.Points.data();
-    this->Paths.EmissionPoints = this->Traced.Paths.EmissionPoints.data();
-    this->Paths.Directions = this->Traced.Paths.Directions.data();
-    this->Paths.States = this->Traced.Paths.States.data();
+    this->Traced = testsupport::Trace(*this->Scene, this->Source, options);
+    this->Vectors = ViewOf(this->Traced.Vectors);
+    this->Paths = ViewOf(this->Traced.Paths);
   }
 
   /// Rays of a box below the slats, [blocked][inside the cones].
@@ -107,9 +85,7 @@ protected:
     return set;
   }
 
-  std::vector<double> Points;
-  std::vector<vtkIdType> Triangles;
-  std::vector<int> Ids;
+  TestMesh Mesh;
   Light Source;
   std::unique_ptr<OccluderScene> Scene;
   ShadowVectorResult Traced;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cones of several lights: fitted apart, tuned together, and held against the mesh a light at a time.
-#include "SmallMeshes.h"
-#include "scConeAccuracy.h"
+#include "Chain.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
+#include "scClassifyByCones.h"
+#include "scConeTally.h"
 #include "scConeTuning.h"
+#include "scSamplePrediction.h"
+#include "scSampleTruth.h"
 #include "scShadowVectors.h"
 
 #include <gtest/gtest.h>
@@ -10,14 +15,14 @@
 #include <stdexcept>
 
 using namespace shadowcones;
-using namespace smallmeshes;
+using namespace testsupport;
 
 namespace
 {
 /// Strips of 0.2 x 2 with gaps of 0.1 at y = 0.
-Mesh Slats()
+TestMesh Slats()
 {
-  Mesh mesh;
+  TestMesh mesh;
   for (int strip = 0; strip < 7; ++strip)
   {
     mesh.AddSheet({ -1.0 + 0.3 * strip, 0.0, -1.0 }, { 0.2, 0.0, 0.0 }, { 0.0, 0.0, 2.0 }, strip);
@@ -35,28 +40,18 @@ struct Traced
 {
   explicit Traced(const std::vector<Light>& lights, vtkIdType photons)
   {
-    const Mesh mesh = Slats();
+    const TestMesh mesh = Slats();
     const OccluderScene scene(mesh.View());
     ShadowVectorOptions options;
     options.NumberOfPhotons = photons;
-    EXPECT_TRUE(TraceShadowVectors(scene, lights, options, {}, this->Result));
+    this->Result = Trace(scene, lights, options);
     for (const Light& light : lights)
     {
       this->Extents.push_back(LightExtentOf(light));
     }
   }
-  ShadowVectorView Vectors() const
-  {
-    const ShadowVectors& v = this->Result.Vectors;
-    return { static_cast<vtkIdType>(v.OccluderIds.size()), v.Points.data(), v.Directions.data(),
-      v.EmissionPoints.data(), v.OccluderIds.data(), v.LightIds.data() };
-  }
-  PhotonPathView Paths() const
-  {
-    const PhotonPaths& p = this->Result.Paths;
-    return { static_cast<vtkIdType>(p.States.size()), p.Points.data(), p.EmissionPoints.data(), p.Directions.data(),
-      p.States.data(), p.LightIds.data() };
-  }
+  ShadowVectorView Vectors() const { return ViewOf(this->Result.Vectors); }
+  PhotonPathView Paths() const { return ViewOf(this->Result.Paths); }
 
   ShadowVectorResult Result;
   std::vector<LightExtent> Extents;
@@ -148,7 +143,7 @@ TEST(ConesOfLights, OneLampTwiceIsMeasuredLikeOnce)
 TEST(ConesOfLights, TruthAndPredictionAreOfOneLightEach)
 {
   // Half a wall at y = 1 hides the left lamp from a point on the left below, and not the right one.
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSheet({ -2.0, 1.0, -2.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 4.0 }, 0);
   const OccluderScene scene(mesh.View());
   const std::vector<Light> lights = { LampAt(-1.0), LampAt(1.8) };

@@ -43,7 +43,8 @@ std::array<Ray, 4> Corners(const Camera& camera, int i0, int i1, int j0, int j1,
     camera.PixelRay(i1 + 0.5, j1 + 0.5, size, size), camera.PixelRay(i0 - 0.5, j1 + 0.5, size, size) } };
 }
 
-double TotalLength(const std::vector<RayInterval>& intervals)
+template <typename Interval>
+double TotalLength(const std::vector<Interval>& intervals)
 {
   double sum = 0.0;
   for (const RayInterval& interval : intervals)
@@ -71,8 +72,8 @@ TEST(ConeBeam, HoldsWhatTheHierarchyFindsAndLittleMore)
   {
     const Camera camera = LookAlongZ(parallel);
     ConeBeam beam(hierarchy);
-    std::vector<RayInterval> exact;
-    std::vector<RayInterval> stretches;
+    std::vector<OccluderInterval> exact;
+    std::vector<RayInterval> intervals;
     for (int block = 0; block < 25; ++block)
     {
       const int i0 = block % 5 * 8;
@@ -87,21 +88,21 @@ TEST(ConeBeam, HoldsWhatTheHierarchyFindsAndLittleMore)
         {
           continue;
         }
-        beam.Intersect(ray, begin, end, stretches);
+        beam.Intersect(ray, begin, end, intervals);
         hierarchy.Intersect(ray.Origin, ray.Direction, begin, end, exact);
         for (const RayInterval& interval : exact)
         {
-          const bool held = std::any_of(stretches.begin(), stretches.end(),
+          const bool held = std::any_of(intervals.begin(), intervals.end(),
             [&](const RayInterval& s) { return s.Begin <= interval.Begin + 1e-9 && s.End >= interval.End - 1e-9; });
           EXPECT_TRUE(held) << "pixel " << i0 + k % 8 << ", " << j0 + k / 8;
         }
         // Two parts of 128 an interval are lost to rounding.
         const double rounding = 2.0 * (end - begin) / 128.0;
-        EXPECT_LE(TotalLength(stretches), TotalLength(exact) + (static_cast<double>(exact.size()) + 0.01) * rounding);
-        for (std::size_t s = 0; s < stretches.size(); ++s)
+        EXPECT_LE(TotalLength(intervals), TotalLength(exact) + (static_cast<double>(exact.size()) + 0.01) * rounding);
+        for (std::size_t s = 0; s < intervals.size(); ++s)
         {
-          EXPECT_LT(stretches[s].Begin, stretches[s].End);
-          EXPECT_TRUE(s == 0 || stretches[s - 1].End < stretches[s].Begin);
+          EXPECT_LT(intervals[s].Begin, intervals[s].End);
+          EXPECT_TRUE(s == 0 || intervals[s - 1].End < intervals[s].Begin);
         }
         met += !exact.empty();
       }
@@ -126,9 +127,9 @@ TEST(ConeBeam, GathersOnlyWhatTheBundleMeets)
   EXPECT_EQ(beam.NumberOfCones(), 2u);
   beam.Gather(Corners(camera, 0, 3, 28, 31, 32));
   EXPECT_EQ(beam.NumberOfCones(), 0u);
-  std::vector<RayInterval> stretches{ { 1.0, 2.0, -1 } };
-  beam.Intersect(camera.PixelRay(1, 30, 32, 32), 4.0, 8.0, stretches);
-  EXPECT_TRUE(stretches.empty());
+  std::vector<RayInterval> intervals{ { 1.0, 2.0 } };
+  beam.Intersect(camera.PixelRay(1, 30, 32, 32), 4.0, 8.0, intervals);
+  EXPECT_TRUE(intervals.empty());
 }
 
 TEST(ConeBeam, ARayAlongTheAxis)
@@ -138,10 +139,10 @@ TEST(ConeBeam, ARayAlongTheAxis)
   const Camera camera = LookAlongZ(true);
   ConeBeam beam(hierarchy);
   beam.Gather(Corners(camera, 7, 8, 7, 8, 16));
-  std::vector<RayInterval> stretches;
-  beam.Intersect({ { 0.1, -0.2, 6.0 }, { 0.0, 0.0, -1.0 } }, 4.0, 8.0, stretches);
-  ASSERT_EQ(stretches.size(), 1u);
-  EXPECT_NEAR(stretches[0].Begin, 5.0, 4.0 / 128.0 + 1e-9);
-  EXPECT_LE(stretches[0].Begin, 5.0);
-  EXPECT_EQ(stretches[0].End, 8.0);
+  std::vector<RayInterval> intervals;
+  beam.Intersect({ { 0.1, -0.2, 6.0 }, { 0.0, 0.0, -1.0 } }, 4.0, 8.0, intervals);
+  ASSERT_EQ(intervals.size(), 1u);
+  EXPECT_NEAR(intervals[0].Begin, 5.0, 4.0 / 128.0 + 1e-9);
+  EXPECT_LE(intervals[0].Begin, 5.0);
+  EXPECT_EQ(intervals[0].End, 8.0);
 }

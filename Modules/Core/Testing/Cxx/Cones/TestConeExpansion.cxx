@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Half angles against what geometry says, and the three expansions on vectors made by hand.
-#include "SmallMeshes.h"
+#include "Chain.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
+#include "scCone.h"
 #include "scConeSet.h"
+#include "scFrame.h"
+#include "scLightExtent.h"
 #include "scRandom.h"
 #include "scShadowVectors.h"
 
@@ -11,7 +16,7 @@
 #include <cmath>
 
 using namespace shadowcones;
-using namespace smallmeshes;
+using namespace testsupport;
 
 namespace
 {
@@ -293,23 +298,18 @@ TEST(ConeExpansion, FractionScalesTheOuterAngleAlone)
 TEST(ConeExpansion, MaximumDeviationComesNearTheLightGeometryOfARealShadow)
 {
   // Vectors of a disc light behind a small sheet: the widest sampled vector lies just inside the penumbra cone.
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSheet({ -1.0, -1.0, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 2.0, 0.0 }, 0);
   const Light light = DiscLight({ 0.0, 0.0, 4.0 }, Down, 0.5);
   const OccluderScene scene(mesh.View());
-  ShadowVectorOptions trace;
-  trace.NumberOfPhotons = 4000;
-  ShadowVectorResult result;
-  ASSERT_TRUE(TraceShadowVectors(scene, light, trace, {}, result));
+  ShadowVectorOptions tracing;
+  tracing.NumberOfPhotons = 4000;
+  const ShadowVectorResult traced = Trace(scene, light, tracing);
   ConeSetOptions options;
   options.CosineCorrection = false;
-  const ShadowVectorView view{ static_cast<vtkIdType>(result.Vectors.OccluderIds.size()), result.Vectors.Points.data(),
-    result.Vectors.Directions.data(), nullptr, nullptr };
-  ConeSet sampled;
-  ASSERT_TRUE(FitConeSet(view, {}, LightExtentOf(light), options, {}, sampled));
+  const ConeSet sampled = Fit(traced, light, options);
   options.Expansion = ConeExpansion::LightGeometry;
-  ConeSet exact;
-  ASSERT_TRUE(FitConeSet(view, {}, LightExtentOf(light), options, {}, exact));
+  const ConeSet exact = Fit(traced, light, options);
   ASSERT_GT(exact.Cones.size(), 10u);
   double shareSum = 0.0;
   for (std::size_t i = 0; i < exact.Cones.size(); ++i)

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ray-cone intervals against points along the ray, and the hierarchy against a loop over all cones.
+#include "scCone.h"
+#include "scConeHierarchy.h"
 #include "scConeIntervals.h"
 #include "scConeSurface.h"
+#include "scFrame.h"
+#include "scOccluderInterval.h"
 #include "scRandom.h"
 
 #include <gtest/gtest.h>
@@ -37,12 +41,6 @@ Cone RandomCone(RandomStream& random, int kind)
   cone.OccluderId = kind % 3;
   return cone;
 }
-
-struct Ray
-{
-  Vector3 Origin;
-  Vector3 Direction;
-};
 
 /// Anywhere, along the axis, across it, along a generator, through the tip.
 Ray RandomRay(RandomStream& random, const Cone& cone, int kind)
@@ -80,10 +78,10 @@ double Depth(const Cone& cone, double length, const Vector3& point)
   return std::min({ h, length - h, (radius - lateral) * std::cos(cone.HalfAngle) });
 }
 
-bool Inside(const std::vector<RayInterval>& intervals, double t)
+bool Inside(const std::vector<OccluderInterval>& intervals, double t)
 {
   return std::any_of(
-    intervals.begin(), intervals.end(), [t](const RayInterval& i) { return i.Begin <= t && t <= i.End; });
+    intervals.begin(), intervals.end(), [t](const OccluderInterval& i) { return i.Begin <= t && t <= i.End; });
 }
 
 std::vector<Cone> RandomCones(int count, std::uint64_t seed)
@@ -114,8 +112,8 @@ TEST(IntersectCone, IsWhereThePointsOfTheRayAreInside)
     const double length = i % 2 ? HUGE_VAL : 0.2 + random.Next();
     const double tMin = i % 11 ? 0.0 : 0.5;
     const double tMax = 6.0;
-    RayInterval interval{ 0.0, -1.0, -1 };
-    const bool hit = IntersectCone(cone, length, ray.Origin, ray.Direction, tMin, tMax, interval);
+    OccluderInterval interval{ 0.0, -1.0, -1 };
+    const bool hit = IntersectCone(cone, length, ray, { tMin, tMax }, interval);
     met += hit;
     if (hit)
     {
@@ -148,8 +146,8 @@ TEST(IntersectCone, EndsLieOnTheSurface)
   {
     const Cone cone = RandomCone(random, i);
     const Ray ray = RandomRay(random, cone, i / 3);
-    RayInterval interval;
-    if (IntersectCone(cone, 1.5, ray.Origin, ray.Direction, -20.0, 20.0, interval))
+    OccluderInterval interval;
+    if (IntersectCone(cone, 1.5, ray, { -20.0, 20.0 }, interval))
     {
       EXPECT_NEAR(Depth(cone, 1.5, ray.Origin + interval.Begin * ray.Direction), 0.0, 1e-6) << i;
       EXPECT_NEAR(Depth(cone, 1.5, ray.Origin + interval.End * ray.Direction), 0.0, 1e-6) << i;
@@ -165,21 +163,21 @@ TEST(IntersectCone, KnowsOnlyTheSheetAhead)
   cone.Axis = { 0.0, 0.0, 1.0 };
   cone.BaseRadius = 0.5;
   cone.HalfAngle = Pi / 4.0; // the apex is at z = -0.5, the ghost sheet below it
-  RayInterval interval;
-  EXPECT_FALSE(IntersectCone(cone, HUGE_VAL, { -9.0, 0.0, -2.0 }, { 1.0, 0.0, 0.0 }, 0.0, 20.0, interval));
-  EXPECT_FALSE(
-    IntersectCone(cone, HUGE_VAL, { -9.0, 0.0, -0.1 }, { 1.0, 0.0, 0.0 }, 0.0, 20.0, interval)); // below the base
-  ASSERT_TRUE(IntersectCone(cone, HUGE_VAL, { 0.2, 0.0, -9.0 }, { 0.0, 0.0, 1.0 }, 0.0, 20.0, interval));
+  OccluderInterval interval;
+  EXPECT_FALSE(IntersectCone(cone, HUGE_VAL, { { -9.0, 0.0, -2.0 }, { 1.0, 0.0, 0.0 } }, { 0.0, 20.0 }, interval));
+  EXPECT_FALSE(IntersectCone(
+    cone, HUGE_VAL, { { -9.0, 0.0, -0.1 }, { 1.0, 0.0, 0.0 } }, { 0.0, 20.0 }, interval)); // below the base
+  ASSERT_TRUE(IntersectCone(cone, HUGE_VAL, { { 0.2, 0.0, -9.0 }, { 0.0, 0.0, 1.0 } }, { 0.0, 20.0 }, interval));
   EXPECT_NEAR(interval.Begin, 9.0, 1e-12); // enters through the base
   EXPECT_EQ(interval.End, 20.0);
-  ASSERT_TRUE(IntersectCone(cone, 2.0, { 0.2, 0.0, -9.0 }, { 0.0, 0.0, 1.0 }, 0.0, 20.0, interval));
+  ASSERT_TRUE(IntersectCone(cone, 2.0, { { 0.2, 0.0, -9.0 }, { 0.0, 0.0, 1.0 } }, { 0.0, 20.0 }, interval));
   EXPECT_NEAR(interval.End, 11.0, 1e-12); // cut at its length
 
   cone.HalfAngle = -Pi / 4.0; // the tip is at z = 0.5
-  EXPECT_FALSE(IntersectCone(cone, HUGE_VAL, { -9.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 }, 0.0, 20.0, interval));
-  ASSERT_TRUE(IntersectCone(cone, HUGE_VAL, { 0.0, 0.0, -9.0 }, { 0.0, 0.0, 1.0 }, 0.0, 20.0, interval));
+  EXPECT_FALSE(IntersectCone(cone, HUGE_VAL, { { -9.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 } }, { 0.0, 20.0 }, interval));
+  ASSERT_TRUE(IntersectCone(cone, HUGE_VAL, { { 0.0, 0.0, -9.0 }, { 0.0, 0.0, 1.0 } }, { 0.0, 20.0 }, interval));
   EXPECT_NEAR(interval.End, 9.5, 1e-9);
-  ASSERT_TRUE(IntersectCone(cone, HUGE_VAL, { -9.0, 0.0, 0.25 }, { 1.0, 0.0, 0.0 }, 0.0, 20.0, interval));
+  ASSERT_TRUE(IntersectCone(cone, HUGE_VAL, { { -9.0, 0.0, 0.25 }, { 1.0, 0.0, 0.0 } }, { 0.0, 20.0 }, interval));
   EXPECT_NEAR(interval.Begin, 8.75, 1e-9);
   EXPECT_NEAR(interval.End, 9.25, 1e-9);
 }
@@ -194,10 +192,10 @@ TEST(IntersectCone, KeepsItsDigitsFarFromTheOrigin)
     cone.BaseRadius += 0.05; // a line has no inside to agree on
     const Vector3 direction = RandomUnit(random);
     const Vector3 origin = cone.Center + 0.3 * cone.Axis - 5.0 * direction;
-    RayInterval close;
-    RayInterval far;
-    const bool hit = IntersectCone(cone, 2.0, origin, direction, 0.0, 10.0, close);
-    ASSERT_EQ(IntersectCone(cone, 2.0, origin - 1e6 * direction, direction, 1e6, 1e6 + 10.0, far), hit) << i;
+    OccluderInterval close;
+    OccluderInterval far;
+    const bool hit = IntersectCone(cone, 2.0, { origin, direction }, { 0.0, 10.0 }, close);
+    ASSERT_EQ(IntersectCone(cone, 2.0, { origin - 1e6 * direction, direction }, { 1e6, 1e6 + 10.0 }, far), hit) << i;
     if (hit)
     {
       EXPECT_NEAR(far.Begin - 1e6, close.Begin, 1e-6) << i;
@@ -208,9 +206,9 @@ TEST(IntersectCone, KeepsItsDigitsFarFromTheOrigin)
 
 TEST(MergeIntervals, JoinsWhatTouches)
 {
-  std::vector<RayInterval> intervals{ { 3.0, 4.0, 1 }, { 0.0, 1.0, 2 }, { 1.0, 2.0, 1 }, { 3.5, 3.6, 2 },
+  std::vector<OccluderInterval> intervals{ { 3.0, 4.0, 1 }, { 0.0, 1.0, 2 }, { 1.0, 2.0, 1 }, { 3.5, 3.6, 2 },
     { 6.0, 7.0, 1 } };
-  std::vector<RayInterval> merged = intervals;
+  std::vector<OccluderInterval> merged = intervals;
   MergeIntervals(merged);
   ASSERT_EQ(merged.size(), 3u);
   EXPECT_EQ(merged[0].Begin, 0.0);
@@ -224,8 +222,8 @@ TEST(MergeIntervals, JoinsWhatTouches)
   ASSERT_EQ(merged.size(), 5u);
   EXPECT_EQ(merged[0].OccluderId, 2);
   EXPECT_EQ(merged[1].OccluderId, 1);
-  EXPECT_TRUE(std::is_sorted(
-    merged.begin(), merged.end(), [](const RayInterval& a, const RayInterval& b) { return a.Begin < b.Begin; }));
+  EXPECT_TRUE(std::is_sorted(merged.begin(), merged.end(),
+    [](const OccluderInterval& a, const OccluderInterval& b) { return a.Begin < b.Begin; }));
 
   merged.clear();
   MergeIntervals(merged);
@@ -240,7 +238,7 @@ TEST(ConeHierarchy, IsALoopOverAllCones)
     const ConeHierarchy hierarchy(cones, Room, length);
     ASSERT_EQ(hierarchy.Cones().size(), cones.size());
     RandomStream random(22, 0);
-    std::vector<RayInterval> found;
+    std::vector<OccluderInterval> found;
     int covered = 0;
     for (int i = 0; i < 1500; ++i)
     {
@@ -250,13 +248,13 @@ TEST(ConeHierarchy, IsALoopOverAllCones)
         double tMin = 0.0;
         double tMax = i % 3 ? HUGE_VAL : 1.5;
         hierarchy.Intersect(ray.Origin, ray.Direction, tMin, tMax, found, perOccluder);
-        std::vector<RayInterval> truth;
+        std::vector<OccluderInterval> truth;
         if (Room.Clip(ray.Origin, ray.Direction, tMin, tMax))
         {
           for (const Cone& cone : cones)
           {
-            RayInterval interval;
-            if (IntersectCone(cone, length, ray.Origin, ray.Direction, tMin, tMax, interval))
+            OccluderInterval interval;
+            if (IntersectCone(cone, length, ray, { tMin, tMax }, interval))
             {
               truth.push_back(interval);
             }
@@ -267,14 +265,14 @@ TEST(ConeHierarchy, IsALoopOverAllCones)
         for (const auto* set : { &truth, &found })
         {
           const auto* other = set == &truth ? &found : &truth;
-          for (const RayInterval& interval : *set)
+          for (const OccluderInterval& interval : *set)
           {
             if (interval.End - interval.Begin < 1e-9)
             {
               continue;
             }
             const auto same = std::find_if(other->begin(), other->end(),
-              [&](const RayInterval& o)
+              [&](const OccluderInterval& o)
               {
                 return o.OccluderId == interval.OccluderId && std::abs(o.Begin - interval.Begin) < 1e-9 &&
                   std::abs(o.End - interval.End) < 1e-9;
@@ -315,7 +313,7 @@ TEST(ConeHierarchy, AgreesWithItsOwnPoints)
   const std::vector<Cone> cones = RandomCones(100, 41);
   const ConeHierarchy hierarchy(cones, Room);
   RandomStream random(42, 0);
-  std::vector<RayInterval> intervals;
+  std::vector<OccluderInterval> intervals;
   for (int i = 0; i < 300; ++i)
   {
     const Ray ray = RandomRay(random, cones[i % 100], i);
@@ -324,7 +322,7 @@ TEST(ConeHierarchy, AgreesWithItsOwnPoints)
     {
       const double t = 8.0 * (k + 0.5) / 100;
       const bool close = std::any_of(intervals.begin(), intervals.end(),
-        [t](const RayInterval& v) { return std::abs(t - v.Begin) < 1e-6 || std::abs(t - v.End) < 1e-6; });
+        [t](const OccluderInterval& v) { return std::abs(t - v.Begin) < 1e-6 || std::abs(t - v.End) < 1e-6; });
       if (!close)
       {
         ASSERT_EQ(hierarchy.Contains(ray.Origin + t * ray.Direction), Inside(intervals, t)) << i << " " << t;
@@ -426,7 +424,7 @@ TEST(ConeHierarchy, MarksTheVerticesThatContainsFinds)
 TEST(ConeHierarchy, OfNothingIsEmpty)
 {
   const ConeHierarchy hierarchy({}, Room);
-  std::vector<RayInterval> intervals(2);
+  std::vector<OccluderInterval> intervals(2);
   hierarchy.Intersect({}, { 0.0, 0.0, 1.0 }, 0.0, 9.0, intervals);
   EXPECT_TRUE(intervals.empty());
   EXPECT_FALSE(hierarchy.Contains({}));

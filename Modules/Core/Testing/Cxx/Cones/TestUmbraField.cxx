@@ -88,7 +88,7 @@ TEST(UmbraField, SamplesHaveTheSignOfTheField)
   }
   const UmbraField field(discs, DiscLight(0.1), 1.5);
   const Box region = field.Region();
-  const FieldGrid grid = GridOver(region, 25);
+  const RegularGrid grid = GridOver(region, 25);
   std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
   ASSERT_TRUE(field.Sample(grid, region, {}, values.data()));
   int inside = 0;

@@ -2,20 +2,22 @@
 #include "scBlockedLight.h"
 
 #include "LitScene.h"
+#include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
 /// The sun shines down on a ray from x = 0 to 4; a plate hides it between 1 and 2. Nearly nothing is absorbed.
 struct SunnyRay
 {
-  LitScene Scene{ smallmeshes::SunLight({ 0.0, -1.0, 0.0 }, 0.0), 1e-6 };
-  smallmeshes::Mesh Plate;
+  LitScene Scene{ SunLight({ 0.0, -1.0, 0.0 }, 0.0), 1e-6 };
+  TestMesh Plate;
   LitPixel Pixel = Scene.PixelOf(8, 8, 17);
   LitSums Sums{ Scene.Groups };
   ScatteringOptions Options;
@@ -28,17 +30,18 @@ struct SunnyRay
   }
   struct Result
   {
-    double Share; ///< of the light that is blocked
+    double Fraction; ///< of the light that is blocked
     double Error; ///< of it, as claimed
     int Samples;
     vtkIdType Rays;
   };
-  Result Estimate(const std::vector<RayInterval>& stretches, std::uint64_t seed = 1) const
+  Result Estimate(const std::vector<RayInterval>& intervals, std::uint64_t seed = 1) const
   {
     const OccluderScene occluders(this->Plate.View());
     const ScatteringScene scene{ occluders, this->Scene.Source, this->Scene.Fog, this->Scene.Eye };
-    BlockedLight blocked(scene, this->Options, this->Scene.Groups);
-    blocked.Look(this->Sums, stretches, {}, seed);
+    const RenderContext context(scene, this->Options);
+    BlockedLight blocked(context);
+    blocked.Look(this->Sums, intervals, {}, seed);
     blocked.Estimate(this->Options.MaximumSamples);
     const double lit = this->Sums.Groups()[0];
     const double mean = this->Sums.Mean();
@@ -57,31 +60,31 @@ TEST(BlockedLight, APlateTakesItsShare)
     sunny.Options.MaximumSamples = 1 << 16;
     for (std::uint64_t seed = 1; seed < 6; ++seed)
     {
-      const auto result = sunny.Estimate({ { 1.0, 5.0, -1 } }, seed);
-      EXPECT_NEAR(result.Share, 0.25, 3.0 * result.Error);
+      const auto result = sunny.Estimate({ { 1.0, 5.0 } }, seed);
+      EXPECT_NEAR(result.Fraction, 0.25, 3.0 * result.Error);
       EXPECT_LE(result.Error, goal * 0.751);
       EXPECT_EQ(result.Rays, result.Samples);
     }
   }
 }
 
-TEST(BlockedLight, NarrowStretchesCostLess)
+TEST(BlockedLight, NarrowIntervalsCostLess)
 {
   SunnyRay sunny;
-  const auto whole = sunny.Estimate({ { 1.0, 5.0, -1 } });
-  const auto around = sunny.Estimate({ { 1.9, 2.2, -1 }, { 2.3, 3.1, -1 } });
+  const auto whole = sunny.Estimate({ { 1.0, 5.0 } });
+  const auto around = sunny.Estimate({ { 1.9, 2.2 }, { 2.3, 3.1 } });
   // From 2.2 to 2.3 nobody looks.
-  EXPECT_NEAR(around.Share, 0.25 * 0.9, 3.0 * around.Error);
+  EXPECT_NEAR(around.Fraction, 0.25 * 0.9, 3.0 * around.Error);
   EXPECT_LT(around.Samples, whole.Samples);
 }
 
-TEST(BlockedLight, WithoutStretchesNothingIsAsked)
+TEST(BlockedLight, WithoutIntervalsNothingIsAsked)
 {
   const SunnyRay sunny;
-  for (const std::vector<RayInterval>& stretches : { std::vector<RayInterval>{}, { { 6.0, 9.0, -1 } } })
+  for (const std::vector<RayInterval>& intervals : { std::vector<RayInterval>{}, { { 6.0, 9.0 } } })
   {
-    const auto result = sunny.Estimate(stretches);
-    EXPECT_EQ(result.Share, 0.0);
+    const auto result = sunny.Estimate(intervals);
+    EXPECT_EQ(result.Fraction, 0.0);
     EXPECT_EQ(result.Samples, 0);
     EXPECT_EQ(result.Rays, 0);
     EXPECT_EQ(result.Error, 0.0);
@@ -91,8 +94,8 @@ TEST(BlockedLight, WithoutStretchesNothingIsAsked)
 TEST(BlockedLight, AllOrNothing)
 {
   const SunnyRay sunny;
-  EXPECT_EQ(sunny.Estimate({ { 3.1, 4.9, -1 } }).Share, 0.0);
-  EXPECT_NEAR(sunny.Estimate({ { 2.1, 2.6, -1 } }).Share, 0.5 / 4.0, 1e-4);
+  EXPECT_EQ(sunny.Estimate({ { 3.1, 4.9 } }).Fraction, 0.0);
+  EXPECT_NEAR(sunny.Estimate({ { 2.1, 2.6 } }).Fraction, 0.5 / 4.0, 1e-4);
 }
 
 TEST(BlockedLight, StopsAtTheMaximumAndDependsOnTheSeedAlone)
@@ -100,36 +103,36 @@ TEST(BlockedLight, StopsAtTheMaximumAndDependsOnTheSeedAlone)
   SunnyRay sunny;
   sunny.Options.RelativeErrorGoal = 0.0;
   sunny.Options.MaximumSamples = 77;
-  const auto first = sunny.Estimate({ { 1.0, 5.0, -1 } }, 3);
+  const auto first = sunny.Estimate({ { 1.0, 5.0 } }, 3);
   EXPECT_EQ(first.Samples, 77);
-  EXPECT_EQ(sunny.Estimate({ { 1.0, 5.0, -1 } }, 3).Share, first.Share);
-  EXPECT_NE(sunny.Estimate({ { 1.0, 5.0, -1 } }, 4).Share, first.Share);
+  EXPECT_EQ(sunny.Estimate({ { 1.0, 5.0 } }, 3).Fraction, first.Fraction);
+  EXPECT_NE(sunny.Estimate({ { 1.0, 5.0 } }, 4).Fraction, first.Fraction);
 }
 
-TEST(LitSums, PlacesAndDistancesAreInverse)
+TEST(LitSums, CellsAndDistancesAreInverse)
 {
-  const LitScene scene(smallmeshes::PointLight({ 1.0, 1.6, 0.2 }));
+  const LitScene scene(PointLight({ 1.0, 1.6, 0.2 }));
   const LitPixel pixel = scene.PixelOf(8, 8, 17);
   LitSums sums(scene.Groups);
   sums.Add(pixel, 4.0);
   sums.Accumulate();
   for (const double t : { 1.0, 1.3, 2.71, 3.999, 4.9 })
   {
-    EXPECT_NEAR(sums.DistanceOf(sums.PlaceOf(t)), t, 1e-5);
+    EXPECT_NEAR(sums.DistanceOf(sums.CellAt(t)), t, 1e-5);
   }
-  EXPECT_NEAR(sums.DistanceOf(sums.PlaceOf(sums.End())), 4.0, 1e-5);
-  EXPECT_EQ(sums.SumUpTo(sums.PlaceOf(0.5)), 0.0);
-  EXPECT_LT(sums.SumUpTo(sums.PlaceOf(sums.End())), sums.SumUpTo(sums.PlaceOf(5.0)));
+  EXPECT_NEAR(sums.DistanceOf(sums.CellAt(sums.End())), 4.0, 1e-5);
+  EXPECT_EQ(sums.SumUpTo(sums.CellAt(0.5)), 0.0);
+  EXPECT_LT(sums.SumUpTo(sums.CellAt(sums.End())), sums.SumUpTo(sums.CellAt(5.0)));
   // The mean over wavelengths is the group's value times its mean source.
   sums.Add(pixel, 5.0);
-  EXPECT_NEAR(sums.SumUpTo(sums.PlaceOf(sums.End())) / sums.Mean(), 1.0, 1e-6);
-  EXPECT_NEAR(sums.Mean() / (sums.Groups()[0] * scene.Groups.MeanSource[0]), 1.0, 1e-6);
+  EXPECT_NEAR(sums.SumUpTo(sums.CellAt(sums.End())) / sums.Mean(), 1.0, 1e-6);
+  EXPECT_NEAR(sums.Mean() / (sums.Groups()[0] * scene.Groups.MeanScatteredRadiance[0]), 1.0, 1e-6);
 }
 
 TEST(LitSums, PartsOfARayAreThoseOfAPointLight)
 {
   // Nothing is absorbed: the light scattered between two places is the angle between them as seen from the light.
-  const LitScene scene(smallmeshes::PointLight({ 1.0, 1.6, 0.2 }), 1e-9);
+  const LitScene scene(PointLight({ 1.0, 1.6, 0.2 }), 1e-9);
   const LitPixel pixel = scene.PixelOf(8, 8, 17);
   const double distance = std::hypot(1.6, 0.2);
   const auto angle = [&](double t) { return std::atan((t - 2.0) / distance); };
@@ -158,18 +161,19 @@ TEST(BlockedLight, NothingIsLeftWhereAllIsBlockedAndAllWhereNoneIs)
     for (const int samples : { 1, 7, 100 })
     {
       SunnyRay sunny;
-      sunny.Plate = smallmeshes::Mesh();
+      sunny.Plate = TestMesh();
       sunny.Plate.AddSheet({ -0.5, 2.0, -3.0 }, { 5.0, 0.0, 0.0 }, { 0.0, 0.0, 6.0 }, 0);
       const OccluderScene plate(sunny.Plate.View());
       const OccluderScene nothing{ TriangleMeshView() };
       sunny.Options.RelativeErrorGoal = 0.0;
       sunny.Options.MaximumSamples = samples;
-      const std::vector<RayInterval> stretches{ { begin, 2.25, -1 }, { 2.25, 5.0, -1 } };
+      const std::vector<RayInterval> intervals{ { begin, 2.25 }, { 2.25, 5.0 } };
       for (const OccluderScene* occluders : { &plate, &nothing })
       {
         const ScatteringScene scene{ *occluders, sunny.Scene.Source, sunny.Scene.Fog, sunny.Scene.Eye };
-        BlockedLight light(scene, sunny.Options, sunny.Scene.Groups);
-        light.Look(sunny.Sums, stretches, {}, 5);
+        const RenderContext context(scene, sunny.Options);
+        BlockedLight light(context);
+        light.Look(sunny.Sums, intervals, {}, 5);
         light.Estimate(samples);
         const double lit = sunny.Sums.Groups()[0];
         if (occluders == &nothing)
@@ -195,9 +199,9 @@ TEST(BlockedLight, NearlySpentSamplesSpoilNothing)
   for (int most = 40; most < 400; most += 7)
   {
     sunny.Options.MaximumSamples = most;
-    const auto result = sunny.Estimate({ { 1.0, 5.0, -1 } }, static_cast<std::uint64_t>(most));
+    const auto result = sunny.Estimate({ { 1.0, 5.0 } }, static_cast<std::uint64_t>(most));
     EXPECT_EQ(result.Samples, most);
-    EXPECT_NEAR(result.Share, 0.25, 3.0 / most);
+    EXPECT_NEAR(result.Fraction, 0.25, 3.0 / most);
     EXPECT_LT(result.Error, 3.0 / most);
   }
 }

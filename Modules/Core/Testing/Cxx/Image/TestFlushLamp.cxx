@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A round lamp in a ceiling that is an ordinary occluder: nothing lies between the two and the room, for all who ask.
-#include "SmallMeshes.h"
-#include "scConeAccuracy.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
 #include "scRandom.h"
+#include "scRenderScattering.h"
+#include "scSampleTruth.h"
 #include "scScatteringImage.h"
+#include "scScatteringOptions.h"
 #include "scShadowVectors.h"
 #include "scVisibilityGrid.h"
 
@@ -13,7 +16,7 @@
 #include <cmath>
 
 using namespace shadowcones;
-using smallmeshes::Mesh;
+using namespace testsupport;
 
 namespace
 {
@@ -28,9 +31,9 @@ Vector3 Turned(double x, double y, double z)
 }
 
 /// A turned room, half as wide as 10: the ceiling at 5.5 of 20 x 20 quads in single precision, and a sheet far from all.
-Mesh Room(bool ceiling)
+TestMesh Room(bool ceiling)
 {
-  Mesh mesh;
+  TestMesh mesh;
   constexpr double half = 10.0;
   for (int i = 0; ceiling && i < 20; ++i)
   {
@@ -49,13 +52,13 @@ Mesh Room(bool ceiling)
 
 Light Lamp()
 {
-  return smallmeshes::Prepared(smallmeshes::DiscLight(Turned(0.013, 0.027, 5.5), Turned(0.0, 0.0, -1.0), 0.3));
+  return Prepared(DiscLight(Turned(0.013, 0.027, 5.5), Turned(0.0, 0.0, -1.0), 0.3));
 }
 
 /// What a ray in the fog, parallel to the ceiling and a little below it, scatters towards the camera.
 double InScattering(bool ceiling, ScatteringMode mode, double below)
 {
-  const Mesh mesh = Room(ceiling);
+  const TestMesh mesh = Room(ceiling);
   const OccluderScene scene(mesh.View());
   const Light lamp = Lamp();
   Medium fog;
@@ -96,7 +99,7 @@ TEST(FlushLamp, TheFogBelowACeilingIsAsBrightAsWithoutIt)
 
 TEST(FlushLamp, ItsCeilingStoresNoVectors)
 {
-  const Mesh mesh = Room(true);
+  const TestMesh mesh = Room(true);
   const OccluderScene scene(mesh.View());
   ShadowVectorOptions options;
   options.NumberOfPhotons = 20000;
@@ -107,7 +110,7 @@ TEST(FlushLamp, ItsCeilingStoresNoVectors)
 
 TEST(FlushLamp, PointsBelowACeilingSeeAllOfIt)
 {
-  const Mesh mesh = Room(true);
+  const TestMesh mesh = Room(true);
   const OccluderScene scene(mesh.View());
   std::vector<Vector3> points;
   for (std::uint64_t i = 0; i < 500; ++i)

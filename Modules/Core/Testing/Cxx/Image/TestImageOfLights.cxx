@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images in the light of several lights are the sums of images in the light of each, in every mode.
-#include "SmallMeshes.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
+#include "scRenderScattering.h"
 #include "scScatteringImage.h"
+#include "scScatteringOptions.h"
+#include "scScatteringScene.h"
 #include "scVisibilityGrid.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +14,7 @@
 #include <memory>
 
 using namespace shadowcones;
-using namespace smallmeshes;
+using namespace testsupport;
 
 namespace
 {
@@ -83,8 +87,8 @@ private:
     return cone;
   }
 
-  Mesh Walls;
-  Mesh Casters;
+  TestMesh Walls;
+  TestMesh Casters;
   Medium Fog;
   Camera View;
   ScatteringOptions Options;
@@ -195,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, ImageOfLights,
 TEST(ImageOfLights, EveryLampIsSeen)
 {
   // Two discs that face the camera, in nothing: each shows its own radiance, and where one is behind the other both.
-  Mesh nothing;
+  TestMesh nothing;
   const OccluderScene occluders(nothing.View());
   const Light near = Coloured(DiscLight({ -0.3, 0.0, 0.0 }, { 0.0, 0.0, 1.0 }, 0.5), 1.0);
   const Light far = Coloured(DiscLight({ 0.3, 0.0, -1.0 }, { 0.0, 0.0, 1.0 }, 0.5), 3.0);

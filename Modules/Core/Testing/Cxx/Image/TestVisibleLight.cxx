@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light as a ray meets it: from far behind, and through its own back.
-#include "SmallMeshes.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
 #include "scVisibleLight.h"
 
 #include <gtest/gtest.h>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -30,7 +32,7 @@ TEST(VisibleLight, ALampOfTrianglesIsMetFromItsFaceOnlyAtAnyDistance)
   lamp.Shape = LightShape::Mesh;
   AddSquare(lamp, 0.0, false);
   AddSquare(lamp, -3.0, true);
-  lamp = smallmeshes::Prepared(lamp);
+  lamp = Prepared(lamp);
   const VisibleLight visible(lamp);
   const Vector3 down{ 0.0, 0.0, -1.0 };
   double t = 0.0;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lights: round trips of every map, densities that integrate to 1, and closed forms of solid angles.
+// One file because every promise is asked of the same lights of all shapes.
+#include "scFrame.h"
 #include "scLight.h"
+#include "scLightSampling.h"
 #include "scRandom.h"
 
 #include <gtest/gtest.h>
@@ -140,13 +143,13 @@ void ExpectSolidAngleRoundTrip(const Light& light, const Vector3& from, double t
   {
     const auto s = SobolPoint(7, i);
     const LightDirectionSample sample = SampleLightSolidAngle(light, from, s[0], s[1]);
-    ASSERT_GT(sample.Density, 0.0);
+    ASSERT_GT(sample.Pdf, 0.0);
     ASSERT_NEAR(Length(sample.Direction), 1.0, 1e-12);
     const auto uv = InvertLightSolidAngle(light, from, sample.Direction);
     ASSERT_NEAR(uv[0], s[0], tolerance) << "sample " << i << " (" << s[0] << ", " << s[1] << ")";
     ASSERT_NEAR(uv[1], s[1], tolerance) << "sample " << i << " (" << s[0] << ", " << s[1] << ")";
-    const double density = LightSolidAngleDensity(light, from, sample.Direction);
-    ASSERT_NEAR(density / sample.Density, 1.0, 1e-6) << "sample " << i << " (" << s[0] << ", " << s[1] << ")";
+    const double density = LightSolidAnglePdf(light, from, sample.Direction);
+    ASSERT_NEAR(density / sample.Pdf, 1.0, 1e-6) << "sample " << i << " (" << s[0] << ", " << s[1] << ")";
   }
 }
 
@@ -164,7 +167,7 @@ double DensityIntegral(const Light& light, const Vector3& from, const Vector3& a
     {
       const double phi = 2.0 * Pi * (j + 0.5) / n;
       const Vector3 direction = c * axis + s * std::cos(phi) * frame.U + s * std::sin(phi) * frame.V;
-      sum += LightSolidAngleDensity(light, from, direction);
+      sum += LightSolidAnglePdf(light, from, direction);
     }
   }
   return sum * 2.0 * Pi * oneMinusCosine / (static_cast<double>(n) * n);
@@ -224,13 +227,13 @@ TEST(Light, AreaMapsInvert)
 
 TEST(Light, AreaDensityIsOneOverTheArea)
 {
-  EXPECT_NEAR(SampleLightArea(Disc(), 0.2, 0.7).Density * Pi * 0.25, 1.0, 1e-14);
-  EXPECT_NEAR(SampleLightArea(Rectangle(), 0.2, 0.7).Density * 0.6, 1.0, 1e-14);
-  EXPECT_NEAR(SampleLightArea(Sphere(), 0.2, 0.7).Density * Pi, 1.0, 1e-14);
-  EXPECT_NEAR(SampleLightArea(Mesh(), 0.2, 0.7).Density * LightArea(Mesh()), 1.0, 1e-14);
-  EXPECT_NEAR(SampleLightArea(Sun(), 0.2, 0.7).Density * LightSolidAngle(Sun(), {}), 1.0, 1e-14);
-  EXPECT_EQ(SampleLightArea(Point(), 0.2, 0.7).Density, 1.0);
-  EXPECT_EQ(SampleLightArea(Vertices(), 0.2, 0.7).Density, 1.0 / 3.0);
+  EXPECT_NEAR(SampleLightArea(Disc(), 0.2, 0.7).Pdf * Pi * 0.25, 1.0, 1e-14);
+  EXPECT_NEAR(SampleLightArea(Rectangle(), 0.2, 0.7).Pdf * 0.6, 1.0, 1e-14);
+  EXPECT_NEAR(SampleLightArea(Sphere(), 0.2, 0.7).Pdf * Pi, 1.0, 1e-14);
+  EXPECT_NEAR(SampleLightArea(Mesh(), 0.2, 0.7).Pdf * LightArea(Mesh()), 1.0, 1e-14);
+  EXPECT_NEAR(SampleLightArea(Sun(), 0.2, 0.7).Pdf * LightSolidAngle(Sun(), {}), 1.0, 1e-14);
+  EXPECT_EQ(SampleLightArea(Point(), 0.2, 0.7).Pdf, 1.0);
+  EXPECT_EQ(SampleLightArea(Vertices(), 0.2, 0.7).Pdf, 1.0 / 3.0);
 }
 
 TEST(Light, AreaSamplesAreUniform)
@@ -481,8 +484,8 @@ TEST(Light, VerticesAddUp)
   const Vector3 from{ 0.0, 0.0, 2.0 };
   EXPECT_NEAR(MeanWeight(light, from, LightSampling::Auto, 3u << 10), 1.0 / 4.0 + 1.0 / 5.0 + 1.0 / 8.0, 1e-3);
   const LightDirectionSample sample = SampleLightSolidAngle(light, from, 0.5, 0.5);
-  EXPECT_DOUBLE_EQ(sample.Density, 1.0 / 3.0);
-  EXPECT_DOUBLE_EQ(LightSolidAngleDensity(light, from, sample.Direction), 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(sample.Pdf, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(LightSolidAnglePdf(light, from, sample.Direction), 1.0 / 3.0);
   EXPECT_NEAR(InvertLightSolidAngle(light, from, sample.Direction)[0], 0.5, 1e-15);
 }
 
@@ -513,8 +516,8 @@ TEST(Light, SunWithoutAnAngleIsOneDirection)
     EXPECT_NEAR(Length(sample.Direction + light.Normal), 0.0, 1e-15);
     EXPECT_EQ(sample.Weight, 1.0);
   }
-  EXPECT_EQ(SampleLightSolidAngle(light, {}, 0.2, 0.2).Density, 1.0);
-  EXPECT_EQ(LightSolidAngleDensity(light, {}, -light.Normal), 1.0);
+  EXPECT_EQ(SampleLightSolidAngle(light, {}, 0.2, 0.2).Pdf, 1.0);
+  EXPECT_EQ(LightSolidAnglePdf(light, {}, -light.Normal), 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -525,8 +528,8 @@ TEST(Light, DarkSidesSendNothing)
     for (const Vector3& from : { light.Center - 0.7 * light.Normal, Viewpoint(light, 0.9, 120.0), light.Center })
     {
       EXPECT_EQ(LightSolidAngle(light, from), 0.0);
-      EXPECT_EQ(SampleLightSolidAngle(light, from, 0.3, 0.4).Density, 0.0);
-      EXPECT_EQ(LightSolidAngleDensity(light, from, light.Normal), 0.0);
+      EXPECT_EQ(SampleLightSolidAngle(light, from, 0.3, 0.4).Pdf, 0.0);
+      EXPECT_EQ(LightSolidAnglePdf(light, from, light.Normal), 0.0);
       for (const LightSampling sampling : { LightSampling::Auto, LightSampling::Area, LightSampling::SolidAngle })
       {
         const IncidentSample sample = SampleIncidentLight(light, from, 0.3, 0.4, sampling);
@@ -544,8 +547,8 @@ TEST(Light, TheInsideOfASphereIsDark)
   for (const Vector3& from : { light.Center, light.Center + Vector3{ 0.2, 0.3, 0.1 } })
   {
     EXPECT_EQ(LightSolidAngle(light, from), 0.0);
-    EXPECT_EQ(SampleLightSolidAngle(light, from, 0.3, 0.4).Density, 0.0);
-    EXPECT_EQ(LightSolidAngleDensity(light, from, light.Normal), 0.0);
+    EXPECT_EQ(SampleLightSolidAngle(light, from, 0.3, 0.4).Pdf, 0.0);
+    EXPECT_EQ(LightSolidAnglePdf(light, from, light.Normal), 0.0);
     EXPECT_EQ(SampleIncidentLight(light, from, 0.3, 0.4).Weight, 0.0);
     EXPECT_EQ(SampleIncidentLight(light, from, 0.3, 0.4, LightSampling::Area).Weight, 0.0);
     EXPECT_EQ(SampleVisibleLight(light, from, 0.3, 0.4).Weight, 0.0);
@@ -628,7 +631,7 @@ TEST(Light, ARectangleWithoutAnAreaIsNotSeen)
   Light light = Rectangle();
   light.AxisU = {};
   EXPECT_EQ(LightSolidAngle(light, light.Center + light.Normal), 0.0);
-  EXPECT_EQ(SampleLightSolidAngle(light, light.Center + light.Normal, 0.1, 0.2).Density, 0.0);
+  EXPECT_EQ(SampleLightSolidAngle(light, light.Center + light.Normal, 0.1, 0.2).Pdf, 0.0);
 }
 
 TEST(Light, BoundingSpheresHoldTheLight)

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scLightRule.h"
 
-#include "SmallMeshes.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -32,15 +35,14 @@ Light RectangleLight()
   light.Normal = { 0.0, -1.0, 0.0 };
   light.AxisU = { 0.4, 0.0, 0.0 };
   light.AxisV = { 0.0, 0.0, 0.3 };
-  return smallmeshes::Prepared(light);
+  return Prepared(light);
 }
 } // namespace
 
 TEST(LightRule, WeightsSumToTheSolidAngle)
 {
   const Vector3 down{ 0.0, -1.0, 0.0 };
-  for (const Light& light :
-    { smallmeshes::DiscLight({}, down, 0.5), RectangleLight(), smallmeshes::SphereLight({}, 0.4) })
+  for (const Light& light : { DiscLight({}, down, 0.5), RectangleLight(), SphereLight({}, 0.4) })
   {
     for (const Vector3& from : { Vector3{ 0.1, -4.0, 0.2 }, Vector3{ 2.0, -0.7, 0.3 }, Vector3{ 0.2, -0.6, -0.1 } })
     {
@@ -60,14 +62,14 @@ TEST(LightRule, WeightsSumToTheSolidAngle)
 
 TEST(LightRule, PointsAreOneByOne)
 {
-  const Light bulb = smallmeshes::PointLight({ 0.0, 2.0, 0.0 });
+  const Light bulb = PointLight({ 0.0, 2.0, 0.0 });
   const LightRule point(bulb, 0);
   EXPECT_NEAR(SumOfWeights(point, {}), 0.25, 1e-12);
 
   Light vertices;
   vertices.Shape = LightShape::Mesh;
   vertices.Vertices = { { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 2.0 }, { -4.0, 0.0, 0.0 } };
-  const Light prepared = smallmeshes::Prepared(vertices);
+  const Light prepared = Prepared(vertices);
   const LightRule rule(prepared, 0);
   int count = 0;
   rule.ForEach({}, [&](const IncidentSample&) { ++count; });
@@ -77,8 +79,8 @@ TEST(LightRule, PointsAreOneByOne)
 
 TEST(LightRule, ASunHasItsIrradiance)
 {
-  const Light sharp = smallmeshes::SunLight({ 0.0, -1.0, 0.0 }, 0.0);
-  const Light soft = smallmeshes::SunLight({ 0.0, -1.0, 0.0 }, 0.1);
+  const Light sharp = SunLight({ 0.0, -1.0, 0.0 }, 0.0);
+  const Light soft = SunLight({ 0.0, -1.0, 0.0 }, 0.1);
   for (const Light* sun : { &sharp, &soft })
   {
     EXPECT_NEAR(SumOfWeights(LightRule(*sun, 1), { 3.0, 4.0, 5.0 }), 1.0, 1e-9);
@@ -87,14 +89,14 @@ TEST(LightRule, ASunHasItsIrradiance)
 
 TEST(LightRule, NothingComesFromTheBack)
 {
-  const Light disc = smallmeshes::DiscLight({}, { 0.0, -1.0, 0.0 }, 0.5);
+  const Light disc = DiscLight({}, { 0.0, -1.0, 0.0 }, 0.5);
   EXPECT_EQ(SumOfWeights(LightRule(disc, 0), { 0.1, 2.0, 0.0 }), 0.0);
   EXPECT_EQ(SumOfWeights(LightRule(disc, 0), { 0.1, 0.01, 0.0 }), 0.0);
 }
 
 TEST(LightRule, ADiscHasItsRulesByAreaAndNear)
 {
-  const Light disc = smallmeshes::DiscLight({ 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 }, 0.5);
+  const Light disc = DiscLight({ 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 }, 0.5);
   const int counts[LightRule::NumberOfLevels] = { 16, 36, 100, 256, 1024 };
   for (int level = 0; level < LightRule::NumberOfLevels; ++level)
   {
@@ -110,7 +112,7 @@ TEST(LightRule, ADiscHasItsRulesByAreaAndNear)
     EXPECT_TRUE(rule.IsByArea({ 1.0, 1.0, 3.0 }));
     EXPECT_FALSE(rule.IsByArea({ 1.1, 1.99, 3.0 }));
   }
-  const Light sphere = smallmeshes::SphereLight({}, 0.4);
+  const Light sphere = SphereLight({}, 0.4);
   EXPECT_FALSE(LightRule(sphere, 0).IsByArea({ 9.0, 9.0, 9.0 }));
 }
 
@@ -121,7 +123,7 @@ TEST(LightRule, AMeshIsCoveredByArea)
   mesh.Shape = LightShape::Mesh;
   const Vector3 corners[4] = { { -0.5, 3.0, -0.5 }, { 0.5, 3.0, -0.5 }, { 0.5, 3.0, 0.5 }, { -0.5, 3.0, 0.5 } };
   mesh.Triangles = { { corners[0], corners[1], corners[2] }, { corners[0], corners[2], corners[3] } };
-  const Light prepared = smallmeshes::Prepared(mesh);
+  const Light prepared = Prepared(mesh);
   EXPECT_NEAR(SumOfWeights(LightRule(prepared, 0), {}) / LightSolidAngle(prepared, {}), 1.0, 0.005);
   EXPECT_NEAR(SumOfWeights(LightRule(prepared, 4), {}) / LightSolidAngle(prepared, {}), 1.0, 5e-4);
 }
@@ -143,7 +145,7 @@ Light Panel(int columns)
       mesh.Triangles.push_back({ corner(i + 1, j + 1), corner(i, j + 1), corner(i, j) });
     }
   }
-  return smallmeshes::Prepared(mesh);
+  return Prepared(mesh);
 }
 
 /// Solid angle of the panel: four rectangles with a corner above the point, each by its closed form.
@@ -204,6 +206,92 @@ TEST(LightRule, AMeshOfAnyNumberOfTrianglesIsRightAtAnyDistance)
     EXPECT_LT(error[0], 0.01) << columns;
     EXPECT_LT(error[4], 1e-3) << columns;
   }
+}
+
+namespace
+{
+/// A level of a light's rule as rays use it: with the levels that near points need more.
+template <typename Visitor>
+void VisitRule(const Light& light, int level, const Vector3& from, Visitor&& visit)
+{
+  const LightRule rule(light, level);
+  const int nearer = std::min(level + rule.LevelsNearer(from), LightRule::NumberOfLevels - 1);
+  LightRule(light, nearer).ForEach(from, visit);
+}
+} // namespace
+
+TEST(LightRule, ADiscHasItsFormFactorAtAnyDistance)
+{
+  // Of an element parallel to it, at height h and beside its centre: 1/2 (1 - (1 + H^2 - R^2) / sqrt(Z^2 - 4 R^2)) with
+  // H = h / beside, R = radius / beside, Z = 1 + H^2 + R^2 (Howell's catalogue of configuration factors, B-13).
+  const Light disc = testsupport::DiscLight({}, { 0.0, -1.0, 0.0 }, 1.0);
+  double error[LightRule::NumberOfLevels] = {};
+  double nearError[LightRule::NumberOfLevels] = {}; // by solid angle
+  for (int level = 0; level < LightRule::NumberOfLevels; ++level)
+  {
+    for (const double h : { 1e-6, 1e-3, 0.02, 0.1, 0.3, 0.39, 0.41, 0.7, 1.0, 4.0 })
+    {
+      for (const double beside : { 0.03, 0.5, 0.9, 0.999, 1.2 })
+      {
+        double irradiance = 0.0;
+        VisitRule(disc, level, { 0.6 * beside, -h, 0.8 * beside },
+          [&](const IncidentSample& sample)
+          {
+            irradiance += sample.Weight * sample.Direction.Y;
+            EXPECT_NEAR(sample.Distance * sample.Direction.Y, h, 1e-9); // all of it lies in the plane y = 0
+          });
+        // As 2 R^2 H^2 / (root (root + 1 + H^2 - R^2)), without differences of nearly equal numbers beside the disc.
+        const double height = h * h / (beside * beside);
+        const double radius = 1.0 / (beside * beside);
+        const double z = 1.0 + height + radius;
+        const double root = std::sqrt(z * z - 4.0 * radius);
+        const double sum = 1.0 + height - radius;
+        const double factor = sum > 0.0 ? 2.0 * radius * height / (root * (root + sum)) : 0.5 * (1.0 - sum / root);
+        const bool byArea = LightRule(disc, level).IsByArea({ 0.6 * beside, -h, 0.8 * beside });
+        double& worst = byArea ? error[level] : nearError[level];
+        worst = std::max(worst, std::fabs(irradiance / (testsupport::Pi * factor) - 1.0));
+      }
+    }
+  }
+  EXPECT_LT(error[0], 0.03);
+  EXPECT_LT(error[1], 1e-3);
+  EXPECT_LT(error[2], 1e-5);
+  EXPECT_LT(nearError[0], 2e-3);
+  EXPECT_LT(nearError[1], 1e-4);
+}
+
+TEST(LightRule, ARectangleHasItsSolidAngleAndIrradianceAtAnyDistance)
+{
+  Light square;
+  square.Shape = LightShape::Rectangle;
+  square.Normal = { 0.0, -1.0, 0.0 };
+  square.AxisU = { 1.0, 0.0, 0.0 };
+  square.AxisV = { 0.0, 0.0, 1.0 };
+  square = testsupport::Prepared(square);
+  double error[LightRule::NumberOfLevels] = {};
+  for (int level = 0; level < LightRule::NumberOfLevels; ++level)
+  {
+    for (const double height : { 1e-6, 1e-3, 0.02, 0.1, 0.3, 0.56, 0.57, 1.0, 4.0 })
+    {
+      for (const Vector3& foot : { Vector3{ 0.03, 0.0, -0.21 }, Vector3{ 0.999, 0.0, 0.2 }, Vector3{ 0.5, 0.0, 0.5 } })
+      {
+        const Vector3 from = foot - Vector3{ 0.0, height, 0.0 };
+        double solidAngle = 0.0;
+        double irradiance = 0.0;
+        VisitRule(square, level, from,
+          [&](const IncidentSample& sample)
+          {
+            solidAngle += sample.Weight;
+            irradiance += sample.Weight * sample.Direction.Y;
+          });
+        error[level] = std::max({ error[level], std::fabs(solidAngle / PanelSolidAngle(from) - 1.0),
+          std::fabs(irradiance / PanelIrradiance(from) - 1.0) });
+      }
+    }
+  }
+  EXPECT_LT(error[0], 3e-3);
+  EXPECT_LT(error[1], 6e-4);
+  EXPECT_LT(error[3], 3e-5);
 }
 
 TEST(LightRule, NoTwoLevelsOfAMeshAreTheSame)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Exact shapes against meshes that are theirs, or are not.
-#include "SmallMeshes.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
+#include "scFrame.h"
 #include "scShapeOfMesh.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +10,7 @@
 #include <cmath>
 
 using namespace shadowcones;
-using namespace smallmeshes;
+using namespace testsupport;
 
 namespace
 {
@@ -33,7 +35,7 @@ Triangles Fan(const Light& disc, int count, int first, int last)
   return triangles;
 }
 
-Triangles TrianglesOf(const Mesh& mesh)
+Triangles TrianglesOf(const TestMesh& mesh)
 {
   Triangles triangles;
   const TriangleMeshView view = mesh.View();
@@ -57,7 +59,7 @@ Light Panel(const Vector3& center, double halfWidth, double halfHeight)
 
 Triangles Sheet(const Vector3& corner, const Vector3& u, const Vector3& v)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSheet(corner, u, v, 0);
   return TrianglesOf(mesh);
 }
@@ -96,12 +98,12 @@ TEST(ShapeOfMesh, APartOfADiscIsNoDisc)
   {
     const ShapeMisfit misfit = MisfitOf(disc, Fan(disc, 24, 0, last), tolerance);
     EXPECT_LT(misfit.Distance, 1e-12);
-    EXPECT_LT(misfit.Share, 0.99 * last / 23.0);
+    EXPECT_LT(misfit.Fraction, 0.99 * last / 23.0);
     EXPECT_FALSE(IsFit(disc, misfit, tolerance)) << last;
   }
   // Half of it: a fan of 12 of 24 corners has half of the polygon's area, 12 / 2 sin(15 deg) r^2, of pi r^2.
   const ShapeMisfit half = MisfitOf(disc, Fan(disc, 24, 0, 12), tolerance);
-  EXPECT_NEAR(half.Share, 6.0 * std::sin(Pi / 12.0) / Pi, 1e-9);
+  EXPECT_NEAR(half.Fraction, 6.0 * std::sin(Pi / 12.0) / Pi, 1e-9);
 }
 
 TEST(ShapeOfMesh, TwoOfThemAreNoneOfThem)
@@ -118,7 +120,7 @@ TEST(ShapeOfMesh, TwoOfThemAreNoneOfThem)
   // The same one twice lies where it should and shines twice.
   Triangles twice = Fan(a, 24, 0, 24);
   twice.insert(twice.end(), twice.begin(), twice.begin() + 24);
-  EXPECT_NEAR(MisfitOf(a, twice, tolerance).Share, 2.0, 1e-9);
+  EXPECT_NEAR(MisfitOf(a, twice, tolerance).Fraction, 2.0, 1e-9);
   EXPECT_FALSE(Fits(a, twice));
   EXPECT_FALSE(FindShape(twice, tolerance, found));
 }
@@ -131,7 +133,7 @@ TEST(ShapeOfMesh, InsideOutIsNoFit)
   {
     std::swap(triangle[1], triangle[2]);
   }
-  EXPECT_NEAR(MisfitOf(disc, triangles, tolerance).Share, -1.0, 1e-9);
+  EXPECT_NEAR(MisfitOf(disc, triangles, tolerance).Fraction, -1.0, 1e-9);
   EXPECT_FALSE(Fits(disc, triangles));
 }
 
@@ -150,7 +152,7 @@ TEST(ShapeOfMesh, RectanglesFitHoweverTheyAreCut)
 TEST(ShapeOfMesh, SpheresFitClosedMeshes)
 {
   const Light sphere = SphereLight({ 1.0, -1.0, 0.5 }, 0.4);
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere(sphere.Center, sphere.Radius, 5, 0);
   Triangles triangles = TrianglesOf(mesh);
   EXPECT_TRUE(Fits(sphere, triangles));
@@ -180,7 +182,7 @@ TEST(ShapeOfMesh, AMeshMovedAsAWholeTakesItsShapeAlong)
   EXPECT_NEAR(LightArea(panel), 6.0, 1e-12);
 
   Light sphere = SphereLight({}, 1.0);
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere({ 3.0, 4.0, 5.0 }, 0.25, 6, 0);
   ASSERT_TRUE(FindShape(TrianglesOf(mesh), tolerance, sphere));
   EXPECT_LT(Length(sphere.Center - Vector3{ 3.0, 4.0, 5.0 }), 1e-12);

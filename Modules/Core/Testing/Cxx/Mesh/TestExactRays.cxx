@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rays through corners and edges, next to huge triangles, along a lamp's plane; memory that runs out.
-#include "SmallMeshes.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
 #include "scLampPlane.h"
+#include "scLightSampling.h"
 #include "scOccluderScene.h"
 #include "scRandom.h"
+#include "scTriangleCrossing.h"
+#include "scTriangleMesh.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 using namespace shadowcones;
-using smallmeshes::Mesh;
+using namespace testsupport;
 
 namespace
 {
@@ -24,7 +29,7 @@ Vector3 Turned(const Vector3& p, double a, double b, const Vector3& offset)
   return Vector3{ x, std::cos(b) * y - std::sin(b) * p.Z, std::sin(b) * y + std::cos(b) * p.Z } + offset;
 }
 
-void Turn(Mesh& mesh, double a, double b, const Vector3& offset)
+void Turn(TestMesh& mesh, double a, double b, const Vector3& offset)
 {
   for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
   {
@@ -36,9 +41,9 @@ void Turn(Mesh& mesh, double a, double b, const Vector3& offset)
 }
 
 /// A closed box around the origin, half as long as @p half, each side a grid of n x n quads with shared corners.
-Mesh GridBox(const Vector3& half, int n)
+TestMesh GridBox(const Vector3& half, int n)
 {
-  Mesh mesh;
+  TestMesh mesh;
   std::vector<vtkIdType> ids(static_cast<std::size_t>((n + 1) * (n + 1) * (n + 1)), -1);
   const auto point = [&](int i, int j, int k)
   {
@@ -67,7 +72,7 @@ Mesh GridBox(const Vector3& half, int n)
 }
 
 /// From inside a closed convex surface, rays through every corner and the middle of every edge: how many get out?
-int Leaks(const Mesh& mesh, const Vector3& origin)
+int Leaks(const TestMesh& mesh, const Vector3& origin)
 {
   const TriangleMeshView view = mesh.View();
   const OccluderScene scene(view);
@@ -124,11 +129,11 @@ TEST(ExactRays, NothingLeaksThroughCornersAndEdges)
   for (int turn = 0; turn < 2; ++turn)
   {
     const Vector3 offset = turn ? Vector3{ 1000.0, -300.0, 50.0 } : Vector3();
-    Mesh box = GridBox({ 1.0, 0.7, 1.3 }, 40);
+    TestMesh box = GridBox({ 1.0, 0.7, 1.3 }, 40);
     Turn(box, 0.7 + turn, 0.4, offset);
     EXPECT_EQ(Leaks(box, offset), 0) << turn;
     EXPECT_EQ(Leaks(box, offset + Vector3{ 0.31, 0.12, -0.27 }), 0) << turn;
-    Mesh sphere;
+    TestMesh sphere;
     sphere.AddSphere({}, 1.0, 40, 0);
     Turn(sphere, 0.3, 1.1 + turn, offset);
     EXPECT_EQ(Leaks(sphere, offset), 0) << turn;
@@ -139,13 +144,13 @@ TEST(ExactRays, NothingLeaksThroughCornersAndEdges)
 TEST(ExactRays, NeedlesAreClosedToo)
 {
   // A fan of needles around two poles: a thousandth wide at most.
-  Mesh mesh;
+  TestMesh mesh;
   constexpr int count = 3000;
   const vtkIdType low = mesh.AddPoint({ 0.0, 0.0, -1.0 });
   const vtkIdType high = mesh.AddPoint({ 0.0, 0.0, 1.0 });
   for (int i = 0; i < count; ++i)
   {
-    const double angle = 2.0 * smallmeshes::Pi * i / count;
+    const double angle = 2.0 * Pi * i / count;
     mesh.AddPoint({ std::cos(angle), std::sin(angle), 0.0 });
   }
   for (int i = 0; i < count; ++i)
@@ -162,7 +167,7 @@ TEST(ExactRays, OneLargeTriangleThatSharesEdgesWithSmallOnesHasNoSeam)
   // A floor of ratio x 1 whose one long side is cut into small triangles; rays straight down onto the seam and beside it.
   for (const double ratio : { 1e2, 1e4, 1e6, 1e7 })
   {
-    Mesh mesh;
+    TestMesh mesh;
     constexpr int parts = 16;
     const vtkIdType far = mesh.AddPoint({ 0.3, -ratio, 0.0 });
     const vtkIdType left = mesh.AddPoint({ -ratio, 0.0, 0.0 });
@@ -206,7 +211,7 @@ TEST(ExactRays, SmallThingsOnAHugeGround)
   // A plate of 2 mm above a turned ground; short segments near it, against every triangle by signed volumes.
   for (const double ground : { 10.0, 1e4, 1e6, 1e7 })
   {
-    Mesh mesh;
+    TestMesh mesh;
     mesh.AddSheet({ -ground, -0.7 * ground, 0.0 }, { 2.0 * ground, 0.0, 0.0 }, { 0.0, 2.0 * ground, 0.0 }, 0);
     mesh.AddBox({ -0.2, -0.2, 0.02 }, { 0.2, 0.2, 0.022 }, 1);
     mesh.AddSphere({ 1.0, 0.3, 0.3 }, 0.25, 6, 2);
@@ -242,12 +247,92 @@ TEST(ExactRays, SmallThingsOnAHugeGround)
   }
 }
 
+TEST(ExactRays, EveryKindOfQueryDecidesAsTheRuleDoes)
+{
+  // Rays that pass edges, and end at planes, by all orders of magnitude from rounding to what nobody doubts.
+  TestMesh mesh;
+  mesh.AddSphere({}, 1.0, 12, 0);
+  mesh.AddSheet({ -1.0, -1.2, -0.9 }, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 1.8 }, 1);
+  const vtkIdType first = mesh.AddPoint({ -1.3, 0.2, 0.1 });
+  mesh.AddPoint({ 1.4, 0.21, 0.1 });
+  mesh.AddPoint({ 0.3, 0.2, 0.13 });
+  mesh.AddTriangle(first, first + 1, first + 2, 2);
+  Turn(mesh, 0.7, 0.4, { 3.0, -2.0, 5.0 });
+  const TriangleMeshView view = mesh.View();
+  const OccluderScene scene(view);
+  int wrong[5] = {};
+  int blocked = 0;
+  constexpr std::uint64_t count = 6000;
+  std::vector<RayHit> all;
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    RandomStream random(11, i);
+    const auto power = [&random](double low, double high)
+    { return std::pow(10.0, low + (high - low) * random.Next()); };
+    const auto sign = [&random]() { return random.Next() < 0.5 ? -1.0 : 1.0; };
+    const auto triangle = static_cast<vtkIdType>(random.Next() * static_cast<double>(view.NumberOfTriangles));
+    const Vector3 a = view.Corner(triangle, 0);
+    const Vector3 b = view.Corner(triangle, 1);
+    const Vector3 c = view.Corner(triangle, 2);
+    const Vector3 normal = Normalized(Cross(b - a, c - a));
+    const Vector3 along = Normalized(b - a);
+    const Vector3 onEdge = a + random.Next() * (b - a);
+    const Vector3 target = onEdge + sign() * power(-9.0, -3.0) * Cross(normal, along);
+    const double turn = 2.0 * Pi * random.Next();
+    const Vector3 direction = Normalized(std::cos(turn) * along + std::sin(turn) * Cross(normal, along) +
+      sign() * power(-0.3, 1.0) * normal); // not along planes: see OccluderScene
+    const double before = power(-6.0, 1.0);
+    const Vector3 origin = target - before * direction;
+    const double end = before + sign() * std::min(power(-9.0, 1.0), 0.9 * before);
+
+    std::size_t crossed = 0;
+    std::size_t crossedUnending = 0;
+    for (vtkIdType t = 0; t < view.NumberOfTriangles; ++t)
+    {
+      RayStretch ray{ origin, direction, 0.0, end };
+      crossed += shadowcones::Crosses(ray, view.Corner(t, 0), view.Corner(t, 1), view.Corner(t, 2));
+      ray.End = HUGE_VAL;
+      crossedUnending += shadowcones::Crosses(ray, view.Corner(t, 0), view.Corner(t, 1), view.Corner(t, 2));
+    }
+    blocked += crossed > 0;
+    RayHit hit;
+    wrong[0] += scene.Occluded(origin, direction, 0.0, end) != (crossed > 0);
+    wrong[1] += scene.Intersect(origin, direction, 0.0, end, hit) != (crossed > 0);
+    scene.IntersectAll(origin, direction, 0.0, end, all);
+    wrong[2] += all.size() != crossed;
+    Vector3 origins[8];
+    Vector3 directions[8];
+    RayHit hits[8];
+    std::fill_n(origins, 8, origin);
+    std::fill_n(directions, 8, direction);
+    scene.IntersectPacket(origins, directions, 8, hits);
+    double x[64];
+    double y[64];
+    double z[64];
+    std::fill_n(x, 64, direction.X);
+    std::fill_n(y, 64, direction.Y);
+    std::fill_n(z, 64, direction.Z);
+    const std::uint64_t asked = 0x8000000100ff0001;
+    wrong[4] += scene.OccludedFrom(origin, x, y, z, asked, true) != (crossedUnending > 0 ? asked : 0);
+    for (const RayHit& one : hits)
+    {
+      wrong[3] += (one.Triangle >= 0) != (crossedUnending > 0);
+    }
+  }
+  for (const int number : wrong)
+  {
+    EXPECT_EQ(number, 0) << "kind " << (&number - wrong);
+  }
+  EXPECT_GT(blocked, 1000);
+  EXPECT_LT(blocked, 5000);
+}
+
 TEST(ExactRays, WhatLiesInALampsPlaneIsPassedBy)
 {
   // A ceiling of 20 x 20 quads in single precision, turned, with a round lamp in it: nothing is between them and the room.
   for (const double half : { 2.5, 50.0 })
   {
-    Mesh mesh;
+    TestMesh mesh;
     for (int i = 0; i < 20; ++i)
     {
       for (int j = 0; j < 20; ++j)
@@ -264,7 +349,7 @@ TEST(ExactRays, WhatLiesInALampsPlaneIsPassedBy)
     }
     const OccluderScene scene(mesh.View());
     const Vector3 center = Turned({ 0.013, 0.027, 5.5 }, 0.7, 0.4, {});
-    const Light lamp = smallmeshes::DiscLight(center, Turned({ 0.0, 0.0, -1.0 }, 0.7, 0.4, {}), 0.3);
+    const Light lamp = DiscLight(center, Turned({ 0.0, 0.0, -1.0 }, 0.7, 0.4, {}), 0.3);
     const FlatFace face = FlatFaceOf(lamp);
     ASSERT_TRUE(face.IsFlat);
     const RayRules rules = scene.RulesFor(face);
@@ -293,16 +378,16 @@ TEST(ExactRays, ALampOfTrianglesInOnePlaneIsFlat)
   lamp.Shape = LightShape::Mesh;
   lamp.Triangles.push_back({ Vector3{ 0, 0, 1 }, Vector3{ 0, 1, 1 }, Vector3{ 1, 0, 1 } });
   lamp.Triangles.push_back({ Vector3{ 5, 0, 1 }, Vector3{ 5, 1, 1 }, Vector3{ 6, 0, 1 } });
-  lamp = smallmeshes::Prepared(lamp);
+  lamp = Prepared(lamp);
   EXPECT_TRUE(FlatFaceOf(lamp).IsFlat);
   EXPECT_NEAR(FlatFaceOf(lamp).Normal.Z, -1.0, 1e-15);
   lamp.Triangles[1][2].Z = 1.001;
-  EXPECT_FALSE(FlatFaceOf(smallmeshes::Prepared(lamp)).IsFlat);
+  EXPECT_FALSE(FlatFaceOf(Prepared(lamp)).IsFlat);
 }
 
 TEST(ExactRays, MemoryThatRunsOutIsSaid)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere({}, 1.0, 40, 0);
   OccluderSceneOptions options;
   options.MemoryLimit = 100000; // bytes; the points of 6,240 triangles alone take 225,000

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ray queries against a loop over all triangles in double precision, near the origin, far away and tiny.
-#include "SmallMeshes.h"
+#include "TestMeshes.h"
 #include "scOccluderScene.h"
 #include "scRandom.h"
+#include "scTriangleMesh.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 #include <limits>
 
 using namespace shadowcones;
-using smallmeshes::Mesh;
+using namespace testsupport;
 
 namespace
 {
@@ -51,9 +52,9 @@ PlainHits EveryTriangle(const TriangleMeshView& mesh, const Vector3& origin, con
   return result;
 }
 
-Mesh Clutter(double scale, const Vector3& offset)
+TestMesh Clutter(double scale, const Vector3& offset)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere({ 0.0, 0.0, 0.0 }, 1.0, 8, 0);
   mesh.AddBox({ 1.1, -0.4, -0.7 }, { 1.9, 0.8, 0.3 }, 1);
   mesh.AddSheet({ -2.0, -1.5, 1.3 }, { 3.0, 0.2, 0.1 }, { 0.1, 3.0, -0.2 }, 2);
@@ -67,7 +68,7 @@ Mesh Clutter(double scale, const Vector3& offset)
 Vector3 RandomDirection(RandomStream& random)
 {
   const double z = 2.0 * random.Next() - 1.0;
-  const double phi = 2.0 * smallmeshes::Pi * random.Next();
+  const double phi = 2.0 * Pi * random.Next();
   const double r = std::sqrt(1.0 - z * z);
   return { r * std::cos(phi), r * std::sin(phi), z };
 }
@@ -88,7 +89,7 @@ class OccluderScenePlaces : public testing::TestWithParam<Place>
 TEST_P(OccluderScenePlaces, HitsAreThoseOfALoopOverAllTriangles)
 {
   const Place& place = GetParam();
-  const Mesh mesh = Clutter(place.Scale, place.Offset);
+  const TestMesh mesh = Clutter(place.Scale, place.Offset);
   const TriangleMeshView view = mesh.View();
   const OccluderScene scene(view);
   RandomStream random(7, 0);
@@ -135,7 +136,7 @@ TEST_P(OccluderScenePlaces, HitsAreThoseOfALoopOverAllTriangles)
 TEST_P(OccluderScenePlaces, RangesCutHitsOff)
 {
   const Place& place = GetParam();
-  Mesh mesh;
+  TestMesh mesh;
   for (int i = 1; i <= 3; ++i)
   {
     mesh.AddSheet(place.Scale * Vector3{ -1.0, -1.0, 1.0 * i } + place.Offset, { 2.0 * place.Scale, 0.0, 0.0 },
@@ -174,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(Places, OccluderScenePlaces,
 TEST(OccluderScene, AGrazingRayHasOneDistanceInBothQueries)
 {
   // A large floor met at less than a thousandth of a radian: the centre of the triangle is units away from the hit.
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSheet({ -50.0, -50.0, 0.0 }, { 100.0, 0.0, 0.0 }, { 0.0, 100.0, 0.0 }, 0);
   mesh.AddBox({ -1.0, -1.0, 5.0 }, { 1.0, 1.0, 6.0 }, 1);
   const OccluderScene scene(mesh.View());
@@ -207,7 +208,7 @@ TEST(OccluderScene, AnswersForAnEmptyMesh)
 
 TEST(OccluderScene, SurvivesTrianglesWithoutArea)
 {
-  Mesh mesh;
+  TestMesh mesh;
   const vtkIdType a = mesh.AddPoint({ 0.2, 0.2, 0.5 });
   const vtkIdType b = mesh.AddPoint({ 0.4, 0.2, 0.5 });
   mesh.AddTriangle(a, a, a, 0);
@@ -226,7 +227,7 @@ TEST(OccluderScene, SurvivesTrianglesWithoutArea)
 TEST_P(OccluderScenePlaces, PacketsFindWhatSingleRaysFind)
 {
   const Place& place = GetParam();
-  const Mesh mesh = Clutter(place.Scale, place.Offset);
+  const TestMesh mesh = Clutter(place.Scale, place.Offset);
   const OccluderScene scene(mesh.View());
   int found = 0;
   for (std::uint64_t packet = 0; packet < 500; ++packet)
@@ -266,7 +267,7 @@ TEST_P(OccluderScenePlaces, PacketsFindWhatSingleRaysFind)
 
 TEST(OccluderScene, SurvivesRaysThatAreNotNumbers)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddBox({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 }, 0);
   const OccluderScene scene(mesh.View());
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -281,14 +282,14 @@ TEST(OccluderScene, SurvivesRaysThatAreNotNumbers)
   scene.IntersectPacket(origins, directions, 2, packet);
   EXPECT_EQ(packet[0].Triangle, -1);
   EXPECT_GE(packet[1].Triangle, 0);
-  const OccluderScene empty(Mesh().View());
+  const OccluderScene empty(TestMesh().View());
   empty.IntersectPacket(origins, directions, 2, packet);
   EXPECT_EQ(packet[1].Triangle, -1);
 }
 
 TEST(OccluderScene, NormalsAndBoundsAreThoseOfTheMesh)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddBox({ 1.0, 2.0, 3.0 }, { 4.0, 6.0, 9.0 }, 0);
   const OccluderScene scene(mesh.View());
   EXPECT_EQ(scene.Bounds().Min.X, 1.0);

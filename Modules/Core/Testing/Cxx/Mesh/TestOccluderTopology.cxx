@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Occluder topology on hand-made meshes: every count, winding and label is known in advance.
+#include "TestMeshes.h"
 #include "scOccluderTopology.h"
 #include "scRandom.h"
 
@@ -12,36 +13,19 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
 
-struct Mesh
+struct Mesh : TestMesh
 {
-  std::vector<double> Points;
-  std::vector<vtkIdType> Triangles;
-  std::vector<int> OccluderIds;
   std::vector<int> Blocks;
 
-  vtkIdType Add(double x, double y, double z)
-  {
-    this->Points.insert(this->Points.end(), { x, y, z });
-    return static_cast<vtkIdType>(this->Points.size() / 3) - 1;
-  }
-  void Face(vtkIdType a, vtkIdType b, vtkIdType c) { this->Triangles.insert(this->Triangles.end(), { a, b, c }); }
+  vtkIdType Add(double x, double y, double z) { return this->AddPoint({ x, y, z }); }
+  void Face(vtkIdType a, vtkIdType b, vtkIdType c) { this->AddTriangle(a, b, c); }
   void Flip(std::size_t t) { std::swap(this->Triangles[3 * t + 1], this->Triangles[3 * t + 2]); }
   std::size_t Count() const { return this->Triangles.size() / 3; }
-
-  TriangleMeshView View() const
-  {
-    TriangleMeshView view;
-    view.Points = this->Points.data();
-    view.NumberOfPoints = static_cast<vtkIdType>(this->Points.size() / 3);
-    view.Triangles = this->Triangles.data();
-    view.NumberOfTriangles = static_cast<vtkIdType>(this->Count());
-    view.OccluderIds = this->OccluderIds.empty() ? nullptr : this->OccluderIds.data();
-    return view;
-  }
 };
 
 /// A cube of 12 outward triangles on 8 points.
@@ -73,7 +57,7 @@ double Volume(const Mesh& mesh, const OccluderTopology& topology)
 {
   double volume = 0.0;
   const Vector3 origin = mesh.View().Point(topology.Points[0]);
-  for (std::size_t t = 0; t < topology.SourceTriangles.size(); ++t)
+  for (std::size_t t = 0; t < topology.InputTriangles.size(); ++t)
   {
     Vector3 p[3];
     for (int k = 0; k < 3; ++k)
@@ -91,7 +75,7 @@ Mesh Strip(int segments, bool twist)
   Mesh mesh;
   for (int i = 0; i < segments; ++i)
   {
-    const double a = 2.0 * 3.14159265358979323846 * i / segments;
+    const double a = 2.0 * Pi * i / segments;
     const double half = twist ? 0.5 * a : 0.0;
     for (const double s : { -0.3, 0.3 })
     {
@@ -172,7 +156,7 @@ TEST(OccluderTopology, OpenSheetFlipsTheFewest)
 TEST(OccluderTopology, MoebiusStripIsOpenAndDoesNotCrash)
 {
   const OccluderTopology topology = Build(Strip(15, true));
-  EXPECT_EQ(topology.SourceTriangles.size(), 30u);
+  EXPECT_EQ(topology.InputTriangles.size(), 30u);
   EXPECT_EQ(topology.BoundaryEdges, 30);
   EXPECT_EQ(topology.NonManifoldEdges, 0);
   EXPECT_EQ(topology.Closed, std::vector<unsigned char>{ 0 });
@@ -266,7 +250,7 @@ TEST(OccluderTopology, NothingSmallIsLostNextToSomethingLarge)
     mesh.Face(corner, corner + 1, corner + 2);
     mesh.Face(corner, corner + 2, corner + 3);
     const OccluderTopology topology = Build(mesh);
-    EXPECT_EQ(topology.SourceTriangles.size(), 38u) << ground;
+    EXPECT_EQ(topology.InputTriangles.size(), 38u) << ground;
     EXPECT_EQ(topology.WeldedPoints, 0) << ground;
     EXPECT_EQ(topology.Closed, (std::vector<unsigned char>{ 1, 1, 1, 0 })) << ground;
   }
@@ -280,7 +264,7 @@ TEST(OccluderTopology, FansTakeLinearTime)
   mesh.Add(0.0, 0.0, 0.0);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const double angle = 2.0 * 3.14159265358979323846 * static_cast<double>(i) / count;
+    const double angle = 2.0 * Pi * static_cast<double>(i) / count;
     mesh.Add(std::cos(angle), std::sin(angle), 0.0);
   }
   for (vtkIdType i = 0; i < count; ++i)
@@ -290,7 +274,7 @@ TEST(OccluderTopology, FansTakeLinearTime)
   const std::clock_t start = std::clock();
   const OccluderTopology topology = Build(mesh);
   EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10.0);
-  EXPECT_EQ(topology.SourceTriangles.size(), static_cast<std::size_t>(count));
+  EXPECT_EQ(topology.InputTriangles.size(), static_cast<std::size_t>(count));
   EXPECT_EQ(topology.BoundaryEdges, count);
   EXPECT_EQ(topology.Closed, std::vector<unsigned char>{ 0 });
 }
@@ -308,8 +292,8 @@ TEST(OccluderTopology, DropsDegenerateAndDuplicateTriangles)
   const OccluderTopology topology = Build(mesh);
   EXPECT_EQ(topology.DegenerateTriangles, 2);
   EXPECT_EQ(topology.DuplicateTriangles, 2);
-  EXPECT_EQ(topology.SourceTriangles.size(), 12u);
-  EXPECT_EQ(topology.SourceTriangles.back(), 11);
+  EXPECT_EQ(topology.InputTriangles.size(), 12u);
+  EXPECT_EQ(topology.InputTriangles.back(), 11);
   EXPECT_EQ(topology.Points.size(), 8u);
   EXPECT_EQ(topology.WeldedPoints, 0);
   EXPECT_EQ(topology.Closed[0], 1);
@@ -471,7 +455,7 @@ TEST(OccluderTopology, SmallFarAwayMeshKeepsItsTriangles)
   Mesh mesh;
   AddCube(mesh, 1e6, 1e6, 1e6, 1e-3);
   const OccluderTopology topology = Build(mesh);
-  EXPECT_EQ(topology.SourceTriangles.size(), 12u);
+  EXPECT_EQ(topology.InputTriangles.size(), 12u);
   EXPECT_EQ(topology.WeldedPoints, 0);
   EXPECT_EQ(topology.Closed, std::vector<unsigned char>{ 1 });
 }
@@ -508,10 +492,10 @@ TEST(OccluderTopology, RandomSoupsDoNotCrash)
       mesh.Face(a, b, pick());
     }
     const OccluderTopology topology = Build(mesh);
-    EXPECT_EQ(static_cast<vtkIdType>(topology.SourceTriangles.size()) + topology.DegenerateTriangles +
+    EXPECT_EQ(static_cast<vtkIdType>(topology.InputTriangles.size()) + topology.DegenerateTriangles +
         topology.DuplicateTriangles,
       40);
-    EXPECT_EQ(topology.Triangles.size(), 3 * topology.SourceTriangles.size());
+    EXPECT_EQ(topology.Triangles.size(), 3 * topology.InputTriangles.size());
     const OccluderTopology again = [&]
     {
       Mesh second;

@@ -2,6 +2,7 @@
 // Polygons as triangles: the shoelace formula gives the area, winding numbers say what is inside.
 #include "scPolygonTriangulation.h"
 
+#include "scFrame.h"
 #include "scRandom.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Photons of several lights: shares by power, and the power that they stand for.
-#include "SmallMeshes.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
 #include "scLightShares.h"
 #include "scShadowVectors.h"
 
@@ -10,11 +11,11 @@
 #include <stdexcept>
 
 using namespace shadowcones;
-using namespace smallmeshes;
+using namespace testsupport;
 
 namespace
 {
-ShadowVectorResult Trace(const Mesh& mesh, const std::vector<Light>& lights, const ShadowVectorOptions& options)
+ShadowVectorResult Trace(const TestMesh& mesh, const std::vector<Light>& lights, const ShadowVectorOptions& options)
 {
   const OccluderScene scene(mesh.View());
   ShadowVectorResult result;
@@ -23,9 +24,9 @@ ShadowVectorResult Trace(const Mesh& mesh, const std::vector<Light>& lights, con
 }
 
 /// A square sheet, x and y within -half..half, at z = 0.
-Mesh Square(double half)
+TestMesh Square(double half)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSheet({ -half, -half, 0.0 }, { 2.0 * half, 0.0, 0.0 }, { 0.0, 2.0 * half, 0.0 }, 0);
   return mesh;
 }
@@ -63,7 +64,7 @@ TEST(LightShares, PhotonsAreSharedByPower)
   for (vtkIdType photon = 0; photon < 3000; ++photon)
   {
     EXPECT_EQ(shares.Counts(photon), dealt);
-    const LightShares::Place place = shares.At(photon);
+    const LightShares::LightPhoton place = shares.At(photon);
     EXPECT_EQ(place.Index, dealt[static_cast<std::size_t>(place.Light)]++);
     // Any stretch from the first photon on holds the same shares, to a photon.
     EXPECT_NEAR(static_cast<double>(dealt[0]), 0.75 * static_cast<double>(photon + 1), 1.0);

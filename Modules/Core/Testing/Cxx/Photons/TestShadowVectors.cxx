@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What photons leave behind: exact exits of boxes, sheets, receivers, and the power that they carry.
-#include "SmallMeshes.h"
+// One file because every promise is asked of the same small meshes.
+#include "TestLights.h"
+#include "TestMeshes.h"
 #include "scPhotonEmission.h"
 #include "scShadowVectors.h"
+#include "scTriangleMesh.h"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +16,12 @@
 #include <set>
 
 using namespace shadowcones;
-using namespace smallmeshes;
+using namespace testsupport;
 
 namespace
 {
 
-ShadowVectorResult Trace(const Mesh& mesh, const Light& light, const ShadowVectorOptions& options)
+ShadowVectorResult Trace(const TestMesh& mesh, const Light& light, const ShadowVectorOptions& options)
 {
   const OccluderScene scene(mesh.View());
   ShadowVectorResult result;
@@ -76,9 +79,9 @@ std::vector<Vector3> SheetSeenFrom(const Vector3& point, double half)
     Vector3{ half, half, 0.0 } - point, Vector3{ -half, half, 0.0 } - point };
 }
 
-Mesh Sheet(double half)
+TestMesh Sheet(double half)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSheet({ -half, -half, 0.0 }, { 2.0 * half, 0.0, 0.0 }, { 0.0, 2.0 * half, 0.0 }, 4);
   return mesh;
 }
@@ -118,7 +121,7 @@ std::map<std::string, std::string> Bytes(const ShadowVectorResult& r)
 
 TEST(ShadowVectors, LeaveABoxAtItsExactExit)
 {
-  Mesh mesh;
+  TestMesh mesh;
   const Box box{ { -0.5, -0.4, -0.3 }, { 0.6, 0.7, 0.2 } };
   mesh.AddBox(box.Min, box.Max, 3);
   const Light light = DiscLight({ 0.3, -0.2, 3.0 }, { 0.0, 0.0, -1.0 }, 0.5);
@@ -151,7 +154,7 @@ TEST(ShadowVectors, LeaveABoxAtItsExactExit)
 
 TEST(ShadowVectors, HitPointStoresTheEntry)
 {
-  Mesh mesh;
+  TestMesh mesh;
   const Box box{ { -0.5, -0.4, -0.3 }, { 0.6, 0.7, 0.2 } };
   mesh.AddBox(box.Min, box.Max, 3);
   const Light light = PointLight({ 2.0, -1.0, 3.0 });
@@ -175,7 +178,7 @@ TEST(ShadowVectors, HitPointStoresTheEntry)
 
 TEST(ShadowVectors, StayOnAnOpenSheet)
 {
-  Mesh mesh = Sheet(1.0);
+  TestMesh mesh = Sheet(1.0);
   for (const double side : { 2.0, -2.0 }) // lit on its front and on its back
   {
     const Light light = DiscLight({ 0.0, 0.0, side }, { 0.0, 0.0, -side }, 0.3);
@@ -196,7 +199,7 @@ TEST(ShadowVectors, StayOnAnOpenSheet)
 
 TEST(ShadowVectors, EveryOccluderOnThePathStoresOne)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddBox({ -1.0, -1.0, 0.0 }, { 1.0, 1.0, 0.2 }, 5);
   mesh.AddBox({ -1.0, -1.0, 1.0 }, { 1.0, 1.0, 1.2 }, 8);
   // One occluder in two parts, met twice: still one vector, at the exit of the part that is met first.
@@ -234,7 +237,7 @@ TEST(ShadowVectors, EveryOccluderOnThePathStoresOne)
 
 TEST(ShadowVectors, ReceiversEndPathsAndCatchShadowPhotons)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddBox({ -0.5, -0.5, 1.0 }, { 0.5, 0.5, 1.4 }, 0);
   mesh.AddSheet({ -9.0, -9.0, 0.0 }, { 18.0, 0.0, 0.0 }, { 0.0, 18.0, 0.0 }, -1); // the floor
   mesh.AddBox({ -0.4, -0.4, -2.0 }, { 0.4, 0.4, -1.0 }, 1);                       // below it: no light gets there
@@ -275,7 +278,7 @@ TEST(ShadowVectors, ASolidThatStandsOnOrInAReceiverIsLeftBelow)
 {
   for (const double bottom : { 0.0, -0.1 })
   {
-    Mesh mesh;
+    TestMesh mesh;
     mesh.AddBox({ -0.2, -0.2, bottom }, { 0.2, 0.2, 1.0 }, 0);
     mesh.AddSheet({ -9.0, -9.0, 0.0 }, { 18.0, 0.0, 0.0 }, { 0.0, 18.0, 0.0 }, -1);
     const Light light = DiscLight({ 1.0, 0.5, 4.0 }, { 0.0, 0.0, -1.0 }, 0.5);
@@ -295,7 +298,7 @@ TEST(ShadowVectors, ASolidThatStandsOnOrInAReceiverIsLeftBelow)
 TEST(ShadowVectors, PointOutwardBehindClosedSolidsEvenAtEdges)
 {
   // A fine sphere: photons that hit edges must not be taken to have entered twice.
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere({ 0.0, 0.0, 0.0 }, 1.0, 100, 0);
   const Light light = DiscLight({ 0.0, 0.0, 3.0 }, { 0.0, 0.0, -1.0 }, 0.5);
   const ShadowVectors vectors = Trace(mesh, light, Photons(100000)).Vectors;
@@ -318,7 +321,7 @@ TEST(ShadowVectors, AnEdgeIsCrossedOnce)
   // A top of small squares, closed below by a pyramid. Beside the large floor it is so small that single precision leaves only
   // some 30,000 places on it: one photon in a hundred meets an edge exactly, and Embree reports both of its triangles.
   const int n = 64;
-  Mesh mesh;
+  TestMesh mesh;
   for (int j = 0; j <= n; ++j)
   {
     for (int i = 0; i <= n; ++i)
@@ -355,7 +358,7 @@ TEST(ShadowVectors, AnEdgeIsCrossedOnce)
 
 TEST(ShadowVectors, ALightInsideASolidIsStoppedByItsFarSide)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddBox({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 }, 0);
   const ShadowVectorResult result = Trace(mesh, PointLight({ 0.1, 0.2, 0.3 }), Photons(500));
   ASSERT_EQ(result.Vectors.OccluderIds.size(), 500u);
@@ -370,7 +373,7 @@ TEST(ShadowVectors, ALightInsideASolidIsStoppedByItsFarSide)
 
 TEST(ShadowVectors, DirectionsAndIndicesAreThoseOfTheirPaths)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere({ 0.0, 0.0, 0.0 }, 0.7, 12, 2);
   const ShadowVectorResult result = Trace(mesh, SphereLight({ 0.0, 1.0, 3.0 }, 0.4), Photons(3000));
   std::set<vtkIdType> blocked;
@@ -391,7 +394,7 @@ TEST(ShadowVectors, DirectionsAndIndicesAreThoseOfTheirPaths)
 
 TEST(ShadowVectors, LitPathsEndAtTheBoundsOfMeshAndLight)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere({ 0.0, 0.0, 0.0 }, 1.0, 12, 0);
   const Light light = DiscLight({ 0.0, 0.0, 4.0 }, { 0.0, 0.0, -1.0 }, 2.0);
   const PhotonPaths paths = Trace(mesh, light, Photons(2000)).Paths;
@@ -513,7 +516,7 @@ TEST(ShadowVectorPower, SphereLightOverASheetIsThatOfAPoint)
 TEST(ShadowVectorPower, ALightInsideTheBoundsSendsAllItsFlux)
 {
   // Inside a closed room every photon is blocked: the whole flux of a Lambertian disc, pi times its area.
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddBox({ -2.0, -2.0, -2.0 }, { 2.0, 2.0, 2.0 }, 0);
   const ShadowVectorResult result = Trace(mesh, DiscLight({ 0.0, 0.0, 1.0 }, { 0.3, 0.1, -1.0 }, 0.5), Photons(5000));
   EXPECT_NEAR(BlockedPower(result.Paths), Pi * Pi * 0.25, 1e-4);
@@ -533,7 +536,7 @@ TEST(ShadowVectors, ARoofThatReceivesShadesFromTheSunHoweverHigh)
 {
   for (const double height : { 3.0, 300.0 })
   {
-    Mesh mesh = Sheet(1.0);
+    TestMesh mesh = Sheet(1.0);
     mesh.AddSheet({ -5.0, -5.0, height }, { 10.0, 0.0, 0.0 }, { 0.0, 10.0, 0.0 }, -1);
     const ShadowVectorResult result = Trace(mesh, SunLight({ 0.0, 0.0, -1.0 }, 0.001), Photons(500));
     EXPECT_TRUE(result.Vectors.OccluderIds.empty()) << height;
@@ -542,7 +545,7 @@ TEST(ShadowVectors, ARoofThatReceivesShadesFromTheSunHoweverHigh)
 
 TEST(ShadowVectorTarget, IsMetUpToTheLastPhotons)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddBox({ -0.5, -0.5, 0.0 }, { 0.5, 0.5, 0.2 }, 0);
   mesh.AddBox({ -0.5, -0.5, 1.0 }, { 0.5, 0.5, 1.2 }, 1);
   mesh.AddBox({ 2.0, 2.0, 1.0 }, { 2.5, 2.5, 1.2 }, 2); // lowers the yield
@@ -574,7 +577,7 @@ TEST(ShadowVectorTarget, GivesUpWhereNoLightArrives)
 
 TEST(ShadowVectorPieces, JoinToTheWhole)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere({ 0.0, 0.0, 0.0 }, 1.0, 20, 0);
   const Light light = DiscLight({ 0.0, 0.0, 3.0 }, { 0.0, 0.0, -1.0 }, 0.5);
   for (const vtkIdType target : { 0, 3000 })
@@ -602,7 +605,7 @@ TEST(ShadowVectorPieces, JoinToTheWhole)
 
 TEST(ShadowVectorSeed, ChoosesThePhotons)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere({ 0.0, 0.0, 0.0 }, 1.0, 20, 0);
   const Light light = DiscLight({ 0.0, 0.0, 3.0 }, { 0.0, 0.0, -1.0 }, 0.5);
   ShadowVectorOptions options = Photons(1000);
@@ -614,7 +617,7 @@ TEST(ShadowVectorSeed, ChoosesThePhotons)
 
 TEST(ShadowVectorMonitor, AbortStopsAndProgressOnlyGrows)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere({ 0.0, 0.0, 0.0 }, 1.0, 20, 0);
   mesh.AddBox({ 20.0, 20.0, 0.0 }, { 21.0, 21.0, 1.0 }, 1); // aims most photons beside the sphere
   const Light light = DiscLight({ 0.0, 0.0, 3.0 }, { 0.0, 0.0, -1.0 }, 0.5);
@@ -641,7 +644,7 @@ TEST(ShadowVectorMonitor, AbortStopsAndProgressOnlyGrows)
 
 TEST(ClosedOccluders, NeedEveryEdgeBothWays)
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddBox({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, 7);
   mesh.AddSheet({ 5.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, 3);
   mesh.AddSphere({ 9.0, 0.0, 0.0 }, 1.0, 6, -2);
@@ -661,9 +664,9 @@ TEST(ClosedOccluders, NeedEveryEdgeBothWays)
 TEST(PhotonEmission, PhotonsBeyondTheFirstFourThousandMillionAreOthers)
 {
   // The index has more bits than the Sobol sequence: 2^32 photons later nothing may repeat.
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddBox({ -1.0, -1.0, 0.0 }, { 1.0, 1.0, 1.0 }, 0);
-  const Light light = smallmeshes::DiscLight({ 0.0, 0.0, 5.0 }, { 0.0, 0.0, -1.0 }, 0.5);
+  const Light light = DiscLight({ 0.0, 0.0, 5.0 }, { 0.0, 0.0, -1.0 }, 0.5);
   const PhotonEmission emission(light, mesh.View());
   for (const vtkIdType later : { vtkIdType(1) << 32, vtkIdType(1) << 40 })
   {

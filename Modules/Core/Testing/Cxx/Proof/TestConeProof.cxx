@@ -3,7 +3,8 @@
 #include "scConeProof.h"
 
 #include "ConeAdversary.h"
-#include "SmallMeshes.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
 #include "scConeProofCheck.h"
 
 #include "vtkSMPTools.h"
@@ -12,7 +13,7 @@
 #include <string>
 
 using namespace shadowcones;
-using namespace smallmeshes;
+using namespace testsupport;
 
 namespace
 {
@@ -21,17 +22,6 @@ Light MeshLight(const std::vector<std::array<Vector3, 3>>& faces)
   Light light;
   light.Shape = LightShape::Mesh;
   light.Triangles = faces;
-  return Prepared(light);
-}
-
-Light RectangleLight(const Vector3& center, const Vector3& u, const Vector3& v)
-{
-  Light light;
-  light.Shape = LightShape::Rectangle;
-  light.Center = center;
-  light.AxisU = u;
-  light.AxisV = v;
-  light.Normal = Normalized(Cross(u, v));
   return Prepared(light);
 }
 
@@ -54,9 +44,9 @@ std::map<std::string, Light> LightsAbove()
     { "sky", SunLight({ 0.0, 0.0, -1.0 }, 1.3) }, { "mesh", MeshLight(LampFaces({ 0.0, 0.0, 3.0 })) } };
 }
 
-std::map<std::string, Mesh> Casters()
+std::map<std::string, TestMesh> Casters()
 {
-  std::map<std::string, Mesh> casters;
+  std::map<std::string, TestMesh> casters;
   for (int strip = 0; strip < 7; ++strip)
   {
     casters["slats"].AddSheet({ -1.0 + 0.3 * strip, -1.0, 1.0 }, { 0.2, 0.0, 0.0 }, { 0.0, 2.0, 0.0 }, strip);
@@ -77,29 +67,29 @@ std::map<std::string, Mesh> Casters()
   return casters;
 }
 
-ConeProof Prove(const Mesh& mesh, const Light& light, const std::vector<Cone>& given = {})
+ConeProof Prove(const TestMesh& mesh, const Light& light, const std::vector<Cone>& given = {})
 {
   ConeProof proof;
   EXPECT_TRUE(ProveConeSet(mesh.View(), { light }, given, {}, {}, proof));
   return proof;
 }
 
-ConeProofCheck Check(const Mesh& mesh, const Light& light, const std::vector<Cone>& cones, const Box& held = {})
+ConeProofCheck Check(const TestMesh& mesh, const Light& light, const std::vector<Cone>& cones, const Box& held = {})
 {
   ConeProofCheck check;
   EXPECT_TRUE(CheckConeProof(mesh.View(), light, cones, held, {}, check));
   return check;
 }
 
-bool IsProved(const Mesh& mesh, const Light& light, const std::vector<Cone>& cones)
+bool IsProved(const TestMesh& mesh, const Light& light, const std::vector<Cone>& cones)
 {
   return Check(mesh, light, cones).Proved;
 }
 
 /// A square sheet of 2 x 2 around the z axis at height 0.
-Mesh Square()
+TestMesh Square()
 {
-  Mesh mesh;
+  TestMesh mesh;
   mesh.AddSheet({ -1.0, -1.0, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 2.0, 0.0 }, 0);
   return mesh;
 }
@@ -118,7 +108,7 @@ Cone ConeOfSquare(double halfAngle)
 
 TEST(ConeProofCheck, HalfAnglesOfClosedForms)
 {
-  const Mesh square = Square();
+  const TestMesh square = Square();
   const double corner = std::sqrt(2.0);
   // The largest angle between the axis and a way from the light to a corner.
   const std::map<std::string, std::pair<Light, double>> cases = {
@@ -139,7 +129,7 @@ TEST(ConeProofCheck, HalfAnglesOfClosedForms)
 
 TEST(ConeProofCheck, NamesThePartThatNoConeHolds)
 {
-  const Mesh square = Square();
+  const TestMesh square = Square();
   const Light light = PointLight({ 0.0, 0.0, 2.0 });
   Cone cone = ConeOfSquare(0.8);
   cone.BaseRadius = 1.3;
@@ -155,12 +145,12 @@ TEST(ConeProofCheck, NamesThePartThatNoConeHolds)
   cone.Center.Z = -1e-4;
   EXPECT_FALSE(IsProved(square, light, { cone }));
   EXPECT_FALSE(IsProved(square, light, {}));
-  EXPECT_TRUE(IsProved(Mesh(), light, {}));
+  EXPECT_TRUE(IsProved(TestMesh(), light, {}));
 }
 
 TEST(ConeProofCheck, CastersBehindALampNeedNoCone)
 {
-  const Mesh square = Square();
+  const TestMesh square = Square();
   EXPECT_TRUE(IsProved(square, DiscLight({ 0.0, 0.0, -1.0 }, { 0.0, 0.0, -1.0 }, 0.5), {}));
   EXPECT_TRUE(IsProved(square, DiscLight({ 0.0, 0.0, 0.0 }, { 0.0, 0.0, -1.0 }, 0.5), {})) << "flush with the lamp";
   EXPECT_FALSE(IsProved(square, SphereLight({ 0.0, 0.0, -1.0 }, 0.5), {}));
@@ -201,7 +191,7 @@ TEST(ConeProof, EveryCasterBeforeEveryLightIsProved)
 
 TEST(ConeProof, TheSearchFindsLeaksOfASetThatIsNotProved)
 {
-  const Mesh cube = Casters()["cube"];
+  const TestMesh cube = Casters()["cube"];
   const Light light = LightsAbove()["disc"];
   ConeProof proof = Prove(cube, light);
   for (Cone& cone : proof.Cones)
@@ -216,7 +206,7 @@ TEST(ConeProof, OneConeThatShrinksByOnePercentIsFound)
   for (const char* name : { "disc", "point", "sun" })
   {
     const std::pair<std::string, Light> light{ name, LightsAbove()[name] };
-    const Mesh square = Square();
+    const TestMesh square = Square();
     ConeProof proof = Prove(square, light.second);
     ASSERT_TRUE(IsProved(square, light.second, proof.Cones)) << light.first;
     std::size_t found = 0;
@@ -235,7 +225,7 @@ TEST(ConeProof, OneConeThatShrinksByOnePercentIsFound)
 
 TEST(ConeProof, TwoLampsOnEitherSideOfAWall)
 {
-  Mesh wall;
+  TestMesh wall;
   wall.AddSheet({ 0.0, -2.0, 0.0 }, { 0.0, 4.0, 0.0 }, { 0.0, 0.0, 3.0 }, 0);
   // Each shines towards the wall.
   const Light light = MeshLight({ { { { -2.0, -0.5, 1.0 }, { -2.0, 0.5, 1.0 }, { -2.0, 0.0, 2.0 } } },
@@ -260,7 +250,7 @@ TEST(ConeProof, TwoLampsOnEitherSideOfAWall)
 
 TEST(ConeProof, GivenConesStayOrGrow)
 {
-  const Mesh square = Square();
+  const TestMesh square = Square();
   const Light light = PointLight({ 0.0, 0.0, 2.0 });
   const Cone enough = StoredCone(ConeOfSquare(0.7));
   ConeProof proof = Prove(square, light, { enough });
@@ -288,7 +278,7 @@ TEST(ConeProof, GivenConesStayOrGrow)
 
 TEST(ConeProof, ConesThatNearlyHoldTheirPartsGrow)
 {
-  const Mesh cube = Casters()["cube"];
+  const TestMesh cube = Casters()["cube"];
   const Light light = LightsAbove()["disc"];
   const ConeProof whole = Prove(cube, light);
   std::vector<Cone> nearly = whole.Cones;
@@ -313,7 +303,7 @@ TEST(ConeProof, ConesThatNearlyHoldTheirPartsGrow)
 TEST(ConeProof, WhatHasNoConeIsHeldByABox)
 {
   // A sheet through the middle of a spherical lamp, and a sky of 179 degrees.
-  const Mesh square = Square();
+  const TestMesh square = Square();
   const std::vector<Light> lights{ SphereLight({ 0.0, 0.0, 0.0 }, 0.5), SunLight({ 0.0, 0.0, -1.0 }, 179.0 * Pi / 360.0) };
   for (const Light& light : lights)
   {
@@ -352,7 +342,7 @@ TEST(ConeProof, StoredConesAreReadBackAsTheyAre)
 
 TEST(ConeProof, SeveralLightsTogether)
 {
-  const Mesh cube = Casters()["cube"];
+  const TestMesh cube = Casters()["cube"];
   const std::vector<Light> lights{ LightsAbove()["disc"], SunLight({ 1.0, 0.0, -1.0 }, 0.005), PointLight({ 0.0, 4.0, 0.5 }) };
   ConeProof proof;
   ASSERT_TRUE(ProveConeSet(cube.View(), lights, {}, {}, {}, proof));
@@ -367,7 +357,7 @@ TEST(ConeProof, SeveralLightsTogether)
 
 TEST(ConeProof, HashKnowsConesCastersAndLights)
 {
-  Mesh cube = Casters()["cube"];
+  TestMesh cube = Casters()["cube"];
   std::vector<Light> lights{ LightsAbove()["disc"] };
   std::vector<Cone> cones{ ConeOfSquare(0.5), ConeOfSquare(0.6) };
   const auto hash = [&]() { return CertificateHash(cones, cube.View(), lights); };
@@ -393,7 +383,7 @@ TEST(ConeProof, HashKnowsConesCastersAndLights)
 
 TEST(ConeProof, ReceiversCastNothing)
 {
-  Mesh room = Square();
+  TestMesh room = Square();
   room.AddBox({ -5.0, -5.0, -5.0 }, { 5.0, 5.0, 5.0 }, -1);
   const Light light = PointLight({ 0.0, 0.0, 2.0 });
   const ConeProof proof = Prove(room, light);
@@ -406,7 +396,7 @@ TEST(ConeProof, ReceiversCastNothing)
 
 TEST(ConeProof, TheSameForAnyNumberOfThreadsAndStopsWhenAsked)
 {
-  const Mesh mesh = Casters()["sphere"];
+  const TestMesh mesh = Casters()["sphere"];
   const Light light = LightsAbove()["disc"];
   vtkSMPTools::Initialize(1);
   const ConeProof one = Prove(mesh, light);

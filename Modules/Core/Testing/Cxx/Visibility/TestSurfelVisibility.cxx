@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The visible fraction at points: discs against rays and the slow reference, surfaces, classes and errors.
+#include "TestMeshes.h"
+#include "scShadowClass.h"
 #include "scVisibilityProbe.h"
 
+#include "scFrame.h"
 #include "scRandom.h"
 #include "scReference.h"
-
-#include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -59,35 +61,16 @@ Cone Disc(const Vector3& center, const Vector3& normal, double radius, int occlu
 }
 
 /// Discs as triangle fans.
-struct DiscMesh
+TestMesh MeshOf(const std::vector<Cone>& discs, int corners = 256)
 {
-  std::vector<double> Points;
-  std::vector<vtkIdType> Triangles;
-  std::vector<int> OccluderIds;
-
-  explicit DiscMesh(const std::vector<Cone>& discs, int corners = 256)
+  TestMesh mesh;
+  for (const Cone& disc : discs)
   {
-    for (const Cone& disc : discs)
-    {
-      const auto middle = static_cast<vtkIdType>(this->Points.size() / 3);
-      const Frame frame = FrameAround(disc.Normal);
-      this->Add(disc.Center);
-      for (int k = 0; k < corners; ++k)
-      {
-        const double angle = 2.0 * pi * k / corners;
-        this->Add(disc.Center + disc.BaseRadius * (std::cos(angle) * frame.U + std::sin(angle) * frame.V));
-        this->Triangles.insert(this->Triangles.end(), { middle, middle + 1 + k, middle + 1 + (k + 1) % corners });
-        this->OccluderIds.push_back(disc.OccluderId);
-      }
-    }
+    const Frame frame = FrameAround(disc.Normal);
+    mesh.AddDisc(disc.Center, disc.BaseRadius, frame.U, frame.V, corners, disc.OccluderId);
   }
-  void Add(const Vector3& p) { this->Points.insert(this->Points.end(), { p.X, p.Y, p.Z }); }
-  TriangleMeshView View() const
-  {
-    return { this->Points.data(), static_cast<vtkIdType>(this->Points.size() / 3), this->Triangles.data(),
-      static_cast<vtkIdType>(this->Triangles.size() / 3), this->OccluderIds.data() };
-  }
-};
+  return mesh;
+}
 
 std::vector<Cone> TiltedDiscs()
 {
@@ -139,7 +122,7 @@ TEST_P(VisibilityOfLight, SoftAndExactAgreeOnDiscs)
 {
   const Light light = MakeLight(GetParam());
   const std::vector<Cone> discs = TiltedDiscs();
-  const DiscMesh mesh(discs, 4096);
+  const TestMesh mesh = MeshOf(discs, 4096);
   const OccluderScene scene(mesh.View());
   for (const int samples : { 1, 64, 100 })
   {
@@ -168,7 +151,7 @@ TEST_P(VisibilityOfLight, ErrorsAreAsStated)
 {
   const Light light = MakeLight(GetParam());
   const std::vector<Cone> discs = TiltedDiscs();
-  const DiscMesh mesh(discs);
+  const TestMesh mesh = MeshOf(discs);
   const ReferenceScene reference(mesh.View());
   const VisibilityProbe soft(discs, light, nullptr, room, Options(VisibilityMethod::Soft, 64));
   double squares = 0.0;
@@ -206,7 +189,7 @@ TEST(SurfelVisibility, DiscsNextToTheLight)
   const Light light = MakeLight(LightShape::Disc);
   const std::vector<Cone> discs = { Disc({ 0.3, 0.0, 0.2 }, { 1.0, 0.0, 0.1 }, 1.0),
     Disc({ 0.0, 0.5, 0.05 }, { 0.0, 0.2, 1.0 }, 0.5) };
-  const DiscMesh mesh(discs, 4096);
+  const TestMesh mesh = MeshOf(discs, 4096);
   const OccluderScene scene(mesh.View());
   const VisibilityProbe soft(discs, light, nullptr, room, Options(VisibilityMethod::Soft, 64));
   const VisibilityProbe exact(Everywhere(room), light, &scene, room, Options(VisibilityMethod::Exact, 64));
@@ -289,7 +272,7 @@ TEST(SurfelVisibility, ClassesAndOccluders)
 TEST(VisibilityProbe, ExactTracesInsideConesOnly)
 {
   const Light light = MakeLight(LightShape::Disc);
-  const DiscMesh mesh({ Disc({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 }, 1.0) });
+  const TestMesh mesh = MeshOf({ Disc({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 }, 1.0) });
   const OccluderScene scene(mesh.View());
   Cone cone = Disc({ 0.0, 0.0, 3.0 }, { 0.0, 0.0, 1.0 }, 0.25);
   cone.HalfAngle = 0.1;
@@ -384,29 +367,6 @@ TEST(VisibilityProbe, NormalsHideLightFromBelow)
     EXPECT_NEAR(probe.At(point, &across).Fraction, 0.5, 0.005);
     EXPECT_EQ(probe.At(point, &across).Class, ShadowClass::Penumbra);
   }
-}
-
-TEST(VisibilityProbe, SameBytesForOneAndTwoThreads)
-{
-  const Light light = MakeLight(LightShape::Disc);
-  const std::vector<Cone> discs = TiltedDiscs();
-  const VisibilityProbe probe(discs, light, nullptr, room, Options(VisibilityMethod::Soft, 64));
-  std::vector<double> points;
-  for (const Vector3& p : RandomPoints(5000, room))
-  {
-    points.insert(points.end(), { p.X, p.Y, p.Z });
-  }
-  VisibilityResult one;
-  VisibilityResult two;
-  vtkSMPTools::Initialize(1);
-  EXPECT_TRUE(ProbeVisibility(probe, points.data(), nullptr, 5000, {}, one));
-  vtkSMPTools::Initialize(2);
-  EXPECT_TRUE(ProbeVisibility(probe, points.data(), nullptr, 5000, {}, two));
-  EXPECT_EQ(one.Visibility, two.Visibility);
-  EXPECT_EQ(one.OccluderIds, two.OccluderIds);
-  EXPECT_EQ(one.Errors, two.Errors);
-  EXPECT_EQ(one.ShadowClasses, two.ShadowClasses);
-  EXPECT_GT(std::count(one.ShadowClasses.begin(), one.ShadowClasses.end(), 1), 50);
 }
 
 TEST(VisibilityProbe, SamplesFollowSeedAndPlace)

@@ -2,7 +2,7 @@
 // The visible fraction on a grid: against the probe, marks, bricks, extents, and packets of rays.
 #include "scVisibilityGrid.h"
 
-#include "SmallMeshes.h"
+#include "TestMeshes.h"
 #include "scRandom.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +15,7 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -60,7 +61,7 @@ struct Sheet
     return grid;
   }
 
-  smallmeshes::Mesh Mesh;
+  TestMesh Mesh;
   std::vector<Cone> Cones;
 };
 
@@ -391,7 +392,7 @@ TEST(VisibilityGrid, ItCanBeStopped)
 
 TEST(VisibilityGrid, PacketsOfRaysHitWhatSingleRaysHit)
 {
-  smallmeshes::Mesh mesh;
+  TestMesh mesh;
   mesh.AddSphere({ 0.1, 0.2, 0.3 }, 1.0, 12, 0);
   const OccluderScene scene(mesh.View());
   RandomStream random(3, 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The probe under the whole sky, on surfaces in single precision, and under a lamp that is flush with a ceiling.
-#include "SmallMeshes.h"
+#include "TestLights.h"
+#include "TestMeshes.h"
 #include "scVisibilityProbe.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 #include <cmath>
 
 using namespace shadowcones;
-using smallmeshes::Mesh;
+using namespace testsupport;
 
 namespace
 {
@@ -31,21 +32,21 @@ const Box nearby{ { -100.0, -100.0, -100.0 }, { 100.0, 100.0, 100.0 } };
 TEST(VisibilityProbe, AWallUnderTheWholeSkyHidesItsSolidAngle)
 {
   // From the middle of its foot, a wall of 2 x 2 at distance 1: twice atan(a b / (d sqrt(a^2 + b^2 + d^2))), a = 1, b = 2.
-  Mesh wall;
+  TestMesh wall;
   wall.AddSheet({ -1.0, 1.0, 0.0 }, { 2.0, 0.0, 0.0 }, { 0.0, 0.0, 2.0 }, 0);
   const OccluderScene scene(wall.View());
-  const Light sky = smallmeshes::SunLight({ 0.0, 0.0, -1.0 }, 0.5 * smallmeshes::Pi);
+  const Light sky = SunLight({ 0.0, 0.0, -1.0 }, 0.5 * Pi);
   VisibilityOptions options;
   options.NumberOfLightSamples = 16384;
   const VisibilityProbe probe(Everywhere(), sky, &scene, nearby, options);
   const double solidAngle = 2.0 * std::atan(2.0 / std::sqrt(6.0));
-  EXPECT_NEAR(probe.At({}).Fraction, 1.0 - solidAngle / (2.0 * smallmeshes::Pi), 2e-3);
+  EXPECT_NEAR(probe.At({}).Fraction, 1.0 - solidAngle / (2.0 * Pi), 2e-3);
 }
 
 TEST(VisibilityProbe, ASurfaceInSinglePrecisionCastsNoShadowOnItself)
 {
   // Points of a turned floor far from the origin, rounded to single precision like its corners: on it, up to rounding.
-  Mesh mesh;
+  TestMesh mesh;
   const auto turned = [](double x, double y, double z)
   {
     const Vector3 p{ 300.0 + 0.8 * x - 0.6 * z, 700.0 + y, 0.6 * x + 0.8 * z };
@@ -61,7 +62,7 @@ TEST(VisibilityProbe, ASurfaceInSinglePrecisionCastsNoShadowOnItself)
   mesh.AddPoint(turned(3.0, 0.0, 0.05));
   mesh.AddTriangle(b, b + 1, b + 2, 1);
   const OccluderScene scene(mesh.View());
-  const Light light = smallmeshes::SunLight(Normalized({ 0.6, 0.0, -0.8 }), 0.001);
+  const Light light = SunLight(Normalized({ 0.6, 0.0, -0.8 }), 0.001);
   VisibilityOptions options;
   options.NumberOfLightSamples = 4;
   Cone cone = Everywhere()[0];
@@ -81,10 +82,10 @@ TEST(VisibilityProbe, ALampFlushWithACeilingIsSeenFromEverywhere)
   {
     const auto turned = [turn](double x, double y, double z)
     { return Vector3{ x, std::cos(turn) * y - std::sin(turn) * z, std::sin(turn) * y + std::cos(turn) * z }; };
-    Mesh mesh;
+    TestMesh mesh;
     mesh.AddSheet(turned(-50.0, -50.0, 5.5), turned(100.0, 0.0, 0.0), turned(0.0, 100.0, 0.0), 0);
     const OccluderScene scene(mesh.View());
-    const Light lamp = smallmeshes::DiscLight(turned(0.013, 0.027, 5.5), turned(0.0, 0.0, -1.0), 0.3);
+    const Light lamp = DiscLight(turned(0.013, 0.027, 5.5), turned(0.0, 0.0, -1.0), 0.3);
     VisibilityOptions options;
     options.NumberOfLightSamples = 16;
     const VisibilityProbe probe(Everywhere(), lamp, &scene, nearby, options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scVisibilityField.h"
+#include "scVisibilityGridSampler.h"
 
 #include "LitScene.h"
 
@@ -9,6 +9,7 @@
 #include <functional>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -36,74 +37,72 @@ VisibilityGrid SampleGrid(const std::function<double(const Vector3&)>& visibilit
   return grid;
 }
 
-/// A ray along x through the middle of the grid in even light: the hidden share is the mean of 1 - visibility.
+/// A ray along x through the middle of the grid in even light: the hidden fraction is the mean of 1 - visibility.
 struct EvenRay
 {
-  LitScene Scene{ smallmeshes::SunLight({ 0.0, -1.0, 0.0 }, 0.0), 1e-6 };
+  LitScene Scene{ SunLight({ 0.0, -1.0, 0.0 }, 0.0), 1e-6 };
   LitPixel Pixel = Scene.PixelOf(8, 8, 17);
   LitSums Sums{ Scene.Groups };
 
-  double HiddenShare(const VisibilityGrid& grid, double end = 5.0, std::uint64_t wanted = everywhere)
+  double HiddenFraction(const VisibilityGrid& grid, double end = 5.0, std::uint64_t wanted = everywhere)
   {
     this->Sums.Add(this->Pixel, 5.0);
     const double all = this->Sums.Groups()[0];
     this->Sums.Add(this->Pixel, end);
     std::vector<double> hidden(1, 0.0);
-    const VisibilityField field(grid);
-    EXPECT_GE(field.Walk(this->Sums, wanted, hidden), 0);
+    const VisibilityGridSampler sampler(grid);
+    EXPECT_GE(sampler.Walk(this->Sums, wanted, hidden), 0);
     return hidden[0] / all;
   }
   std::uint64_t CellsInShadow(const VisibilityGrid& grid) const
   {
-    return VisibilityField(grid).CellsInShadow(
-      { { this->Pixel, this->Pixel, this->Pixel, this->Pixel } });
+    return VisibilityGridSampler(grid).CellsInShadow({ { this->Pixel, this->Pixel, this->Pixel, this->Pixel } });
   }
 };
 } // namespace
 
-TEST(VisibilityField, AllLitHidesNothing)
+TEST(VisibilityGridSampler, AllLitHidesNothing)
 {
   EvenRay even;
   const VisibilityGrid grid = SampleGrid([](const Vector3&) { return 1.0; });
-  EXPECT_EQ(even.HiddenShare(grid), 0.0);
+  EXPECT_EQ(even.HiddenFraction(grid), 0.0);
   EXPECT_EQ(even.CellsInShadow(grid), 0u);
 }
 
-TEST(VisibilityField, ReadsBetweenVertices)
+TEST(VisibilityGridSampler, ReadsBetweenVertices)
 {
   EvenRay even;
   // 1 up to x = 1, falling to 1/2 at x = 2, then 1/2.
-  const VisibilityGrid grid =
-    SampleGrid([](const Vector3& p) { return 1.0 - 0.5 * std::clamp(p.X - 1.0, 0.0, 1.0); });
-  EXPECT_NEAR(even.HiddenShare(grid), (0.25 + 2.0 * 0.5) / 4.0, 1e-4);
-  EXPECT_NEAR(even.HiddenShare(grid, 3.0), 0.25 / 4.0, 1e-4) << "up to x = 2";
-  EXPECT_NEAR(even.HiddenShare(grid, 2.0), 0.0, 1e-6) << "up to x = 1";
+  const VisibilityGrid grid = SampleGrid([](const Vector3& p) { return 1.0 - 0.5 * std::clamp(p.X - 1.0, 0.0, 1.0); });
+  EXPECT_NEAR(even.HiddenFraction(grid), (0.25 + 2.0 * 0.5) / 4.0, 1e-4);
+  EXPECT_NEAR(even.HiddenFraction(grid, 3.0), 0.25 / 4.0, 1e-4) << "up to x = 2";
+  EXPECT_NEAR(even.HiddenFraction(grid, 2.0), 0.0, 1e-6) << "up to x = 1";
 }
 
-TEST(VisibilityField, AMaskSkipsLitCellsOnly)
+TEST(VisibilityGridSampler, AMaskSkipsLitCellsOnly)
 {
   EvenRay even;
   VisibilityGrid grid = SampleGrid([](const Vector3&) { return 1.0; });
   grid.Visibility[grid.VertexIndex(4, 1, 1)] = 0.2f;
   const std::uint64_t mask = even.CellsInShadow(grid);
   EXPECT_NE(mask, 0u);
-  EXPECT_EQ(even.HiddenShare(grid, 5.0, mask), even.HiddenShare(grid));
-  EXPECT_GT(even.HiddenShare(grid), 0.0);
-  EXPECT_EQ(even.HiddenShare(grid, 5.0, 0), 0.0);
+  EXPECT_EQ(even.HiddenFraction(grid, 5.0, mask), even.HiddenFraction(grid));
+  EXPECT_GT(even.HiddenFraction(grid), 0.0);
+  EXPECT_EQ(even.HiddenFraction(grid, 5.0, 0), 0.0);
 }
 
-TEST(VisibilityField, BeyondTheGridAllIsLit)
+TEST(VisibilityGridSampler, BeyondTheGridAllIsLit)
 {
   EvenRay even;
   VisibilityGrid grid = SampleGrid([](const Vector3&) { return 0.0; });
   grid.Origin.X = 2.0; // from 2 to 6, of which the medium ends at 4
-  EXPECT_NEAR(even.HiddenShare(grid), 0.5, 0.01);
+  EXPECT_NEAR(even.HiddenFraction(grid), 0.5, 0.01);
   grid.Origin.Y = 5.0;
-  EXPECT_EQ(even.HiddenShare(grid), 0.0);
+  EXPECT_EQ(even.HiddenFraction(grid), 0.0);
   EXPECT_EQ(even.CellsInShadow(grid), 0u);
 }
 
-TEST(VisibilityField, BricksTakeThePlaceOfTheirCells)
+TEST(VisibilityGridSampler, BricksTakeThePlaceOfTheirCells)
 {
   EvenRay even;
   VisibilityGrid grid = SampleGrid([](const Vector3&) { return 1.0; });
@@ -118,12 +117,12 @@ TEST(VisibilityField, BricksTakeThePlaceOfTheirCells)
     }
   }
   // From 1.5 to 1.75 it falls to 0: 3/8 of a unit is hidden in all.
-  EXPECT_NEAR(even.HiddenShare(grid), 0.375 / 4.0, 1e-3);
+  EXPECT_NEAR(even.HiddenFraction(grid), 0.375 / 4.0, 1e-3);
   EXPECT_NE(even.CellsInShadow(grid), 0u);
-  EXPECT_EQ(even.HiddenShare(grid, 5.0, even.CellsInShadow(grid)), even.HiddenShare(grid));
+  EXPECT_EQ(even.HiddenFraction(grid, 5.0, even.CellsInShadow(grid)), even.HiddenFraction(grid));
 }
 
-TEST(VisibilityField, AgreesWithVisibilityAt)
+TEST(VisibilityGridSampler, AgreesWithVisibilityAt)
 {
   EvenRay even;
   const VisibilityGrid grid =
@@ -134,5 +133,5 @@ TEST(VisibilityField, AgreesWithVisibilityAt)
   {
     expected += (1.0 - VisibilityAt(grid, { 4.0 * (k + 0.5) / steps, 0.0, 0.0 })) / steps;
   }
-  EXPECT_NEAR(even.HiddenShare(grid), expected, 1e-4);
+  EXPECT_NEAR(even.HiddenFraction(grid), expected, 1e-4);
 }

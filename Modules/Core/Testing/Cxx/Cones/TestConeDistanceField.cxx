@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The implicit function of a cone set: against dense points on cones, against ConeContains, and as sampled on grids.
-#include "scConeField.h"
-#include "scConeIntervals.h"
+#include "scCone.h"
+#include "scConeDistanceField.h"
 #include "scRandom.h"
+#include "scRegularGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -56,14 +57,14 @@ double SlowDistance(const Cone& cone, double length, const Vector3& point)
 }
 } // namespace
 
-TEST(ConeField, DistanceToOneCone)
+TEST(ConeDistanceField, DistanceToOneCone)
 {
   const double length = 1.5;
   RandomStream random(3, 0);
   int inside = 0;
   for (const Cone& cone : RandomCones(40, 1.0, 5))
   {
-    const ConeField field({ cone }, ConeBound::Outer, length);
+    const ConeDistanceField field({ cone }, ConeBound::Outer, length);
     if (field.Region().Empty())
     {
       EXPECT_TRUE(cone.BaseRadius == 0.0 && cone.HalfAngle <= 0.0);
@@ -84,14 +85,14 @@ TEST(ConeField, DistanceToOneCone)
   EXPECT_GT(inside, 30);
 }
 
-TEST(ConeField, SignIsThatOfTheConesInsideTheBounds)
+TEST(ConeDistanceField, SignIsThatOfTheConesInsideTheBounds)
 {
   const auto cones = RandomCones(60, 1.0, 6);
   const Box bounds{ { -0.8, -1.0, -1.1 }, { 1.0, 0.7, 0.9 } };
   const double length = 0.8;
   for (const ConeBound bound : { ConeBound::Outer, ConeBound::Inner })
   {
-    const ConeField field(cones, bound, length, bounds);
+    const ConeDistanceField field(cones, bound, length, bounds);
     RandomStream random(7, 0);
     int inside = 0;
     for (int k = 0; k < 5000; ++k)
@@ -111,9 +112,10 @@ TEST(ConeField, SignIsThatOfTheConesInsideTheBounds)
   }
 }
 
-TEST(ConeField, ChangesByAtMostTheDistance)
+TEST(ConeDistanceField, ChangesByAtMostTheDistance)
 {
-  const ConeField field(RandomCones(30, 1.0, 8), ConeBound::Outer, 0.6, { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } });
+  const ConeDistanceField field(
+    RandomCones(30, 1.0, 8), ConeBound::Outer, 0.6, { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } });
   RandomStream random(9, 0);
   double steepest = 0.0;
   for (int k = 0; k < 5000; ++k)
@@ -126,14 +128,14 @@ TEST(ConeField, ChangesByAtMostTheDistance)
   EXPECT_GT(steepest, 0.99);
 }
 
-TEST(ConeField, BoundsCutEndlessCones)
+TEST(ConeDistanceField, BoundsCutEndlessCones)
 {
   Cone cone;
   cone.Axis = { 0.0, 0.0, 1.0 };
   cone.BaseRadius = 0.25;
   cone.HalfAngle = 0.1;
   const Box bounds{ { -5.0, -0.1, -1.0 }, { 5.0, 5.0, 3.0 } };
-  const ConeField field({ cone }, ConeBound::Outer, HUGE_VAL, bounds);
+  const ConeDistanceField field({ cone }, ConeBound::Outer, HUGE_VAL, bounds);
   const double radius = 0.25 + 3.0 * std::tan(0.1);
   EXPECT_DOUBLE_EQ(field.Region().Min.Y, -0.1);
   EXPECT_DOUBLE_EQ(field.Region().Min.Z, 0.0);
@@ -142,14 +144,14 @@ TEST(ConeField, BoundsCutEndlessCones)
   EXPECT_NEAR(field.Region().Max.Y, radius, 1e-12);
 
   cone.Center.Z = 3.5; // shines away from the box
-  EXPECT_TRUE(ConeField({ cone }, ConeBound::Outer, HUGE_VAL, bounds).Region().Empty());
-  EXPECT_TRUE(ConeField({}, ConeBound::Outer, 1.0).Region().Empty());
+  EXPECT_TRUE(ConeDistanceField({ cone }, ConeBound::Outer, HUGE_VAL, bounds).Region().Empty());
+  EXPECT_TRUE(ConeDistanceField({}, ConeBound::Outer, 1.0).Region().Empty());
 }
 
-TEST(ConeField, GridClosesAtTheFacesOfItsBox)
+TEST(ConeDistanceField, GridClosesAtTheFacesOfItsBox)
 {
   const Box box{ { -1.0, 2.0, 0.0 }, { 3.0, 3.0, 0.01 } };
-  const FieldGrid grid = GridOver(box, 40);
+  const RegularGrid grid = GridOver(box, 40);
   EXPECT_EQ(grid.Dimensions, (std::array<int, 3>{ 42, 12, 3 }));
   EXPECT_EQ(grid.NumberOfPoints(), 42 * 12 * 3);
   for (int axis = 0; axis < 3; ++axis)
@@ -160,7 +162,7 @@ TEST(ConeField, GridClosesAtTheFacesOfItsBox)
   }
 }
 
-TEST(ConeField, ABoxWithoutVolumeHasNoGrid)
+TEST(ConeDistanceField, ABoxWithoutVolumeHasNoGrid)
 {
   const Box flat{ { -1.0, 2.0, 0.0 }, { 3.0, 2.0, 1.0 } };
   const Box point{ { 1.0, 2.0, 3.0 }, { 1.0, 2.0, 3.0 } };
@@ -171,7 +173,7 @@ TEST(ConeField, ABoxWithoutVolumeHasNoGrid)
   EXPECT_EQ(GridOver({ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } }, 0).NumberOfPoints(), 0);
 }
 
-TEST(ConeField, SamplesAreDistancesNearTheSurface)
+TEST(ConeDistanceField, SamplesAreDistancesNearTheSurface)
 {
   const auto cones = RandomCones(120, 1.0, 10);
   for (const Vector3& offset : { Vector3{}, Vector3{ 1e6, -1e6, 1e6 } })
@@ -181,8 +183,8 @@ TEST(ConeField, SamplesAreDistancesNearTheSurface)
     {
       cone.Center += offset;
     }
-    const ConeField field(moved, ConeBound::Outer, 0.3);
-    const FieldGrid grid = GridOver(field.Region(), 37);
+    const ConeDistanceField field(moved, ConeBound::Outer, 0.3);
+    const RegularGrid grid = GridOver(field.Region(), 37);
     std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
     ASSERT_TRUE(field.Sample(grid, {}, values.data()));
     const double diagonal = Length(grid.Spacing);
@@ -213,10 +215,10 @@ TEST(ConeField, SamplesAreDistancesNearTheSurface)
   }
 }
 
-TEST(ConeField, Abort)
+TEST(ConeDistanceField, Abort)
 {
-  const ConeField field(RandomCones(10, 1.0, 11), ConeBound::Outer, 0.3);
-  const FieldGrid grid = GridOver(field.Region(), 64);
+  const ConeDistanceField field(RandomCones(10, 1.0, 11), ConeBound::Outer, 0.3);
+  const RegularGrid grid = GridOver(field.Region(), 64);
   std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
   Monitor monitor;
   monitor.Aborted = [] { return true; };

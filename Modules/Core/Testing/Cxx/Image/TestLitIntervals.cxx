@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scMediumSpan.h"
+#include "scLitIntervals.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ Light LampOfTriangles(double lift)
 }
 } // namespace
 
-TEST(MediumSpan, ARayEndsWhereItPassesThePlaneOfAFlatLampOfTriangles)
+TEST(LitIntervals, ARayEndsWhereItPassesThePlaneOfAFlatLampOfTriangles)
 {
   Box box;
   box.Add(Vector3{ -5.0, 0.0, -5.0 });
@@ -28,14 +28,14 @@ TEST(MediumSpan, ARayEndsWhereItPassesThePlaneOfAFlatLampOfTriangles)
   // From (0, 1, 0) up by 3 in 5: it passes y = 4 after 5, and leaves the box at x = 5 after 6.25.
   const Vector3 way = Normalized({ 4.0, 3.0, 0.0 });
   const Light flat = LampOfTriangles(0.0);
-  const MediumSpan lit = MediumSpans(flat, box).Find({ { 0.0, 1.0, 0.0 }, way });
+  const LitInterval lit = LitIntervals(flat, box).Find({ { 0.0, 1.0, 0.0 }, way });
   EXPECT_EQ(lit.Begin, 0.0);
   EXPECT_NEAR(lit.End, 5.0, 1e-12);
   // From above the lamp the lit part begins there.
-  const MediumSpan below = MediumSpans(flat, box).Find({ { 0.0, 4.75, 0.0 }, { way.X, -way.Y, 0.0 } });
+  const LitInterval below = LitIntervals(flat, box).Find({ { 0.0, 4.75, 0.0 }, { way.X, -way.Y, 0.0 } });
   EXPECT_NEAR(below.Begin, 1.25, 1e-12);
   EXPECT_NEAR(below.End, 6.25, 1e-12);
   // A lamp that is not flat shines to both sides of any plane.
   const Light bent = LampOfTriangles(0.5);
-  EXPECT_NEAR(MediumSpans(bent, box).Find({ { 0.0, 1.0, 0.0 }, way }).End, 6.25, 1e-12);
+  EXPECT_NEAR(LitIntervals(bent, box).Find({ { 0.0, 1.0, 0.0 }, way }).End, 6.25, 1e-12);
 }

@@ -6,8 +6,10 @@
 #ifndef LitScene_h
 #define LitScene_h
 
-#include "SmallMeshes.h"
-#include "scExtinction.h"
+#include "TestLights.h"
+#include "scExtinctionGroups.h"
+#include "scLitPixel.h"
+#include "scLitQuadrature.h"
 #include "scLitTile.h"
 
 #include <numeric>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scMediumDepth.h"
+#include "scMediumOpticalDepth.h"
 
 #include "SampledDensity.h"
 
@@ -23,10 +23,10 @@ Medium MediumInside(const Vector3& low, const Vector3& high, const DensityGrid* 
 
 } // namespace
 
-TEST(MediumDepth, IsLengthInAHomogeneousMedium)
+TEST(MediumOpticalDepth, IsLengthInAHomogeneousMedium)
 {
   const Medium medium = MediumInside({ 0.0, 0.0, 0.0 }, { 4.0, 1.0, 1.0 }, nullptr);
-  MediumDepth depth(medium);
+  MediumOpticalDepth depth(medium);
   EXPECT_TRUE(depth.IsHomogeneous());
   depth.SetRay({ -1.0, 0.5, 0.5 }, { 1.0, 0.0, 0.0 }, 1.0, 5.0);
   EXPECT_EQ(depth.Along(3.25), 2.25);
@@ -38,14 +38,14 @@ TEST(MediumDepth, IsLengthInAHomogeneousMedium)
   EXPECT_EQ(depth.DensityAt({ 9.0, 9.0, 9.0 }), 1.0);
 }
 
-TEST(MediumDepth, OfAConstantImageIsDensityTimesLength)
+TEST(MediumOpticalDepth, OfAConstantImageIsDensityTimesLength)
 {
   const DensityGrid grid = SampleDensity(
     { { 6, 7, 8 } }, { -1.0, -1.0, -1.0 }, UnitAxes({ 1.0, 0.5, 0.5 }), [](const Vector3&) { return 0.75; });
   const Medium with = MediumInside({ -1.0, -1.0, -1.0 }, { 4.0, 2.0, 2.5 }, &grid);
   const Medium without = MediumInside({ -1.0, -1.0, -1.0 }, { 4.0, 2.0, 2.5 }, nullptr);
-  MediumDepth dense(with);
-  MediumDepth plain(without);
+  MediumOpticalDepth dense(with);
+  MediumOpticalDepth plain(without);
   EXPECT_FALSE(dense.IsHomogeneous());
   for (int k = 0; k < 20; ++k)
   {
@@ -69,13 +69,13 @@ TEST(MediumDepth, OfAConstantImageIsDensityTimesLength)
   EXPECT_DOUBLE_EQ(dense.DensityAt({ 3.9, 1.9, 2.4 }), 0.75);
 }
 
-TEST(MediumDepth, OfARampIsAParabola)
+TEST(MediumOpticalDepth, OfARampIsAParabola)
 {
   // Density 2 + x on [0, 4], inside wider bounds: 0 before and after.
   const DensityGrid grid =
     SampleDensity({ { 5, 2, 1 } }, {}, UnitAxes({ 1.0, 1.0, 1.0 }), [](const Vector3& x) { return 2.0 + x.X; });
   const Medium medium = MediumInside({ -3.0, 0.0, -1.0 }, { 9.0, 1.0, 1.0 }, &grid);
-  MediumDepth depth(medium);
+  MediumOpticalDepth depth(medium);
   depth.SetRay({ -5.0, 0.5, 0.0 }, { 1.0, 0.0, 0.0 }, 2.0, 14.0);
   const auto expected = [](double x) { return 2.0 * x + 0.5 * x * x; };
   for (const double x : { 0.0, 0.2, 1.0, 1.7, 3.99, 4.0 })
@@ -96,12 +96,12 @@ TEST(MediumDepth, OfARampIsAParabola)
   EXPECT_EQ(depth.Along(6.0), 0.0);
 }
 
-TEST(MediumDepth, BoundsCutTheImage)
+TEST(MediumOpticalDepth, BoundsCutTheImage)
 {
   const DensityGrid grid = SampleDensity(
     { { 2, 2, 2 } }, { -9.0, -9.0, -9.0 }, UnitAxes({ 18.0, 18.0, 18.0 }), [](const Vector3&) { return 1.0; });
   const Medium medium = MediumInside({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 }, &grid);
-  const MediumDepth depth(medium);
+  const MediumOpticalDepth depth(medium);
   EXPECT_NEAR(depth.Towards({ 0.25, 0.5, 0.5 }, { 1.0, 0.0, 0.0 }, HUGE_VAL), 0.75, 1e-12);
   EXPECT_NEAR(depth.TowardsFromOutside({ -5.0, 0.5, 0.5 }, { 1.0, 0.0, 0.0 }, HUGE_VAL), 1.0, 1e-12);
 }
