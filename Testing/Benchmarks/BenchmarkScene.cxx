@@ -9,6 +9,7 @@
 #include "vtkLabelOccluders.h"
 #include "vtkShadowVectorFilter.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -108,44 +109,6 @@ double Now()
 }
 
 //------------------------------------------------------------------------------
-Box RoomBounds()
-{
-  return { { -2.75, 0.0, -2.75 }, { 2.75, 5.2, 2.75 } };
-}
-
-//------------------------------------------------------------------------------
-BenchmarkScene LoadBenchmarkScene(const std::string& nameOrFile)
-{
-  const bool named = nameOrFile == "chair" || nameOrFile == "tree" || nameOrFile == "blob";
-  vtkSmartPointer<vtkPolyData> mesh =
-    named ? Read(SHADOWCONES_DATA_DIR "/" + nameOrFile + ".vtp") : StandInRoom(Read(nameOrFile));
-
-  BenchmarkScene scene;
-  scene.Name = named ? nameOrFile : nameOrFile.substr(nameOrFile.find_last_of('/') + 1);
-  vtkNew<vtkLabelOccluders> label;
-  label->SetInputData(mesh);
-  label->Update();
-  scene.Occluders = label->GetOutput();
-
-  vtkNew<vtkAreaLightSource> light;
-  light->SetShapeToDisc();
-  light->SetCenter(0.0, 5.49, 0.0);
-  light->SetNormal(0.0, -1.0, 0.0);
-  light->SetRadius(0.5);
-  light->SetRadiance(1.0);
-  light->Update();
-  scene.LightData = light->GetOutput();
-
-  std::string error;
-  if (!ReadLight(scene.LightData, scene.Source, error) || !ReadTriangles(scene.Occluders, scene.Mesh, error))
-  {
-    throw std::runtime_error(error);
-  }
-  scene.Fast = std::make_unique<OccluderScene>(scene.Mesh.View());
-  return scene;
-}
-
-//------------------------------------------------------------------------------
 ConeParameters NamedParameters(const std::string& set)
 {
   ConeParameters parameters;
@@ -185,25 +148,6 @@ std::string Describe(const ConeParameters& parameters)
        << " flat=" << parameters.Planarity << ' ' << expansions[parameters.Expansion] << '*' << parameters.Fraction
        << (parameters.Cosine ? " cos" : "") << (parameters.Overlap ? " overlap" : "") << " seed=" << parameters.Seed;
   return text.str();
-}
-
-//------------------------------------------------------------------------------
-VectorsOfScene MakeVectors(const BenchmarkScene& scene, const ConeParameters& parameters)
-{
-  vtkNew<vtkShadowVectorFilter> filter;
-  filter->SetToPaper();
-  filter->SetInputData(scene.Occluders);
-  filter->SetLightData(scene.LightData);
-  filter->SetTargetNumberOfVectors(parameters.Vectors);
-  filter->SetSeed(parameters.Seed);
-  filter->SetStorage(parameters.Storage);
-  const double start = Now();
-  filter->Update();
-  VectorsOfScene result;
-  result.Seconds = Now() - start;
-  result.Vectors = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
-  result.Paths = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
-  return result;
 }
 
 //------------------------------------------------------------------------------
@@ -254,6 +198,130 @@ ConesOfScene MakeCones(const VectorsOfScene& vectors, const ConeParameters& para
   }
   result.Discarded = static_cast<double>(discarded) / ids->GetNumberOfTuples();
   return result;
+}
+
+//------------------------------------------------------------------------------
+BenchmarkScene::BenchmarkScene(const std::string& nameOrFile, const RoomLamp& lamp)
+{
+  const bool named = nameOrFile == "chair" || nameOrFile == "tree" || nameOrFile == "blob";
+  vtkSmartPointer<vtkPolyData> mesh =
+    named ? Read(SHADOWCONES_DATA_DIR "/" + nameOrFile + ".vtp") : StandInRoom(Read(nameOrFile));
+  this->Name = named ? nameOrFile : nameOrFile.substr(nameOrFile.find_last_of('/') + 1);
+  vtkNew<vtkLabelOccluders> label;
+  label->SetInputData(mesh);
+  label->Update();
+  this->Occluders = label->GetOutput();
+
+  vtkNew<vtkAreaLightSource> light;
+  light->SetShapeToDisc();
+  light->SetCenter(lamp.Center.X, lamp.Center.Y, lamp.Center.Z);
+  light->SetNormal(0.0, -1.0, 0.0);
+  light->SetRadius(lamp.Radius);
+  light->SetRadiance(1.0);
+  light->Update();
+  this->LightData = light->GetOutput();
+
+  std::string error;
+  if (!ReadLight(this->LightData, this->Light, error) || !ReadTriangles(this->Occluders, this->Mesh, error))
+  {
+    throw std::runtime_error(error);
+  }
+  this->Fast = std::make_unique<OccluderScene>(this->Mesh.View());
+  this->Medium = testsupport::RoomMedium(this->Light.Spectrum.size());
+  this->Camera = testsupport::RoomCamera();
+  this->AddWalls();
+}
+
+//------------------------------------------------------------------------------
+void BenchmarkScene::AddWalls()
+{
+  const vtkSmartPointer<vtkPolyData> data = Read(SHADOWCONES_DATA_DIR "/cornell-box.vtp");
+  TriangleMesh walls;
+  std::string error;
+  if (!ReadTriangles(data, walls, error))
+  {
+    throw std::runtime_error(error);
+  }
+  const std::size_t wavelengths = this->Light.Spectrum.size();
+  TriangleMesh& room = this->Room;
+  room = this->Mesh;
+  room.OccluderIds.resize(room.Triangles.size() / 3, 0);
+  this->Reflectance.assign(room.OccluderIds.size() * wavelengths, 0.5f);
+  const auto offset = static_cast<vtkIdType>(room.Points.size() / 3);
+  room.Points.insert(room.Points.end(), walls.Points.begin(), walls.Points.end());
+  for (const vtkIdType id : walls.Triangles)
+  {
+    room.Triangles.push_back(id + offset);
+  }
+  room.OccluderIds.resize(room.Triangles.size() / 3, -1);
+  vtkDataArray* reflectance = data->GetCellData()->GetArray("Reflectance");
+  for (const vtkIdType cell : walls.SourceCells)
+  {
+    for (std::size_t k = 0; k < wavelengths; ++k)
+    {
+      this->Reflectance.push_back(static_cast<float>(reflectance->GetComponent(cell, static_cast<int>(k))));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+VectorsOfScene BenchmarkScene::MakeVectors(const ConeParameters& parameters) const
+{
+  vtkNew<vtkShadowVectorFilter> filter;
+  filter->SetToPaper();
+  filter->SetInputData(this->Occluders);
+  filter->SetLightData(this->LightData);
+  filter->SetTargetNumberOfVectors(parameters.Vectors);
+  filter->SetSeed(parameters.Seed);
+  filter->SetStorage(parameters.Storage);
+  const double start = Now();
+  filter->Update();
+  VectorsOfScene result;
+  result.Seconds = Now() - start;
+  result.Vectors = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  result.Paths = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void BenchmarkScene::TraceVectors(vtkIdType vectors)
+{
+  ConeParameters parameters = NamedParameters("bounds");
+  parameters.Vectors = vectors > 0 ? vectors : this->Name == "tree" ? 20000 : 5800;
+  this->Traced = this->MakeVectors(parameters);
+}
+
+//------------------------------------------------------------------------------
+VisibilityGrid BenchmarkScene::FillGrid(int dimensions, int lightSamples, int brickParts) const
+{
+  VisibilityGridOptions options;
+  options.Dimensions = { dimensions, dimensions, dimensions };
+  options.NumberOfLightSamples = lightSamples;
+  options.BrickParts = brickParts;
+  VisibilityGrid grid;
+  FillVisibilityGrid(this->Fitted.Cones, this->Light, this->Fast.get(), this->Medium.Bounds, options, Monitor(), grid);
+  return grid;
+}
+
+//------------------------------------------------------------------------------
+ScatteringOptions BenchmarkScene::Options(ScatteringMode mode, int size) const
+{
+  ScatteringOptions options;
+  options.Mode = mode;
+  options.Width = size;
+  options.Height = size;
+  options.Extent = { 0, size - 1, 0, size - 1 };
+  options.NumberOfSurfaceLightSamples = 0;
+  options.NumberOfEdgeSamples = 1;
+  options.LightVisible = false;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType BenchmarkScene::NumberOfPhotons() const
+{
+  vtkDataArray* photons = this->Traced.Vectors->GetFieldData()->GetArray("NumberOfPhotons");
+  return photons ? static_cast<vtkIdType>(photons->GetTuple1(0)) : 0;
 }
 
 } // namespace shadowcones

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BenchmarkScene.h
- * @brief The room, its light and its occluders, and cone sets made from them with the filters.
+ * @brief The one scene of all benchmarks: an occluder in the room under its lamp, and all that an image of it is made from.
  */
 #ifndef BenchmarkScene_h
 #define BenchmarkScene_h
 
-#include "scConeSet.h"
+#include "Room.h"
+
+#include "scCone.h"
+#include "scConeHierarchy.h"
 #include "scLight.h"
 #include "scMeshData.h"
 #include "scOccluderScene.h"
+#include "scRenderScattering.h"
+#include "scScatteringImage.h"
+#include "scScatteringOptions.h"
+#include "scScatteringScene.h"
+#include "scVisibilityGrid.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,29 +29,11 @@
 namespace shadowcones
 {
 
+using testsupport::RoomBounds;
+using testsupport::RoomLamp;
+
 /// Seconds since some moment.
 double Now();
-
-/// x and z in +-2.75, y in 0..5.2.
-Box RoomBounds();
-
-/// An occluder in the room under a disc light of radius 0.5 at (0, 5.49, 0) that faces down.
-struct BenchmarkScene
-{
-  std::string Name;
-  vtkSmartPointer<vtkPolyData> Occluders; ///< labelled
-  vtkSmartPointer<vtkPolyData> LightData;
-  Light Source;
-  TriangleMesh Mesh;
-  std::unique_ptr<OccluderScene> Fast;
-};
-
-/**
- * Load "chair", "tree" or "blob", or a file (.vtp, .obj, .ply, .stl), which is scaled to a height of 3 and stood on
- * the floor.
- * Throws std::runtime_error where there is no such mesh.
- */
-BenchmarkScene LoadBenchmarkScene(const std::string& nameOrFile);
 
 /// Parameters of a cone set and of the vectors that it is made from.
 struct ConeParameters
@@ -80,9 +69,6 @@ struct VectorsOfScene
   vtkSmartPointer<vtkPolyData> Paths;
   double Seconds = 0.0;
 };
-/// Runs vtkShadowVectorFilter; vectors depend on Vectors, Storage and Seed only.
-VectorsOfScene MakeVectors(const BenchmarkScene& scene, const ConeParameters& parameters);
-
 struct ConesOfScene
 {
   std::vector<Cone> Cones;
@@ -92,6 +78,71 @@ struct ConesOfScene
 };
 /// Runs vtkConeSetFilter.
 ConesOfScene MakeCones(const VectorsOfScene& vectors, const ConeParameters& parameters);
+
+class BenchmarkScene
+{
+public:
+  /**
+   * "chair", "tree" or "blob", or a file (.vtp, .obj, .ply, .stl), which is scaled to a height of 3 and stood on the floor.
+   * Throws std::runtime_error where there is no such mesh.
+   */
+  explicit BenchmarkScene(const std::string& nameOrFile, const RoomLamp& lamp = {});
+  BenchmarkScene(const BenchmarkScene&) = delete;
+  BenchmarkScene& operator=(const BenchmarkScene&) = delete;
+
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Occluders; ///< labelled
+  vtkSmartPointer<vtkPolyData> LightData;
+  shadowcones::Light Light;
+  TriangleMesh Mesh;
+  std::unique_ptr<OccluderScene> Fast; ///< of the mesh alone
+  TriangleMesh Room;                   ///< the mesh and the walls of Data/cornell-box.vtp, which have OccluderId -1
+  std::vector<float> Reflectance;      ///< of the room: one a triangle and wavelength
+  shadowcones::Medium Medium;          ///< isotropic, in RoomBounds()
+  shadowcones::Camera Camera;
+
+  /// Runs vtkShadowVectorFilter; vectors depend on Vectors, Storage and Seed only.
+  VectorsOfScene MakeVectors(const ConeParameters& parameters) const;
+  /// Vectors and cones of them.
+  std::vector<Cone> MakeConesOf(const ConeParameters& parameters) const
+  {
+    return MakeCones(this->MakeVectors(parameters), parameters).Cones;
+  }
+
+  // The stages of an image, in order, so that each can be timed alone. Each takes the results of those before, and may be
+  // run again. Vectors and cones are those of the parameter set "bounds".
+  void BuildRoom() { this->FastRoom = std::make_unique<OccluderScene>(this->Room.View()); }
+  /// @param vectors that are asked for; 0: 5,800, on the tree 20,000.
+  void TraceVectors(vtkIdType vectors);
+  void FitCones() { this->Fitted = MakeCones(this->Traced, NamedParameters("bounds")); }
+  void BuildHierarchy() { this->Tree = std::make_unique<ConeHierarchy>(this->Fitted.Cones, this->Medium.Bounds); }
+  VisibilityGrid FillGrid(int dimensions, int lightSamples, int brickParts) const;
+  /// Medium term alone: surfaces black, the light not seen.
+  ScatteringOptions Options(ScatteringMode mode, int size) const;
+  ScatteringScene View(const ConeHierarchy* cones = nullptr, const VisibilityGrid* grid = nullptr) const
+  {
+    return { *this->FastRoom, this->Light, this->Medium, this->Camera, cones, grid };
+  }
+  void Render(const ScatteringOptions& options, const ConeHierarchy* cones, const VisibilityGrid* grid,
+    ScatteringImage& image) const
+  {
+    RenderScattering(this->View(cones, grid), options, Monitor(), image);
+  }
+
+  vtkIdType NumberOfTriangles() const { return static_cast<vtkIdType>(this->Mesh.Triangles.size() / 3); }
+  vtkIdType NumberOfVectors() const { return this->Traced.Vectors->GetNumberOfPoints(); }
+  vtkIdType NumberOfPhotons() const;
+  const std::vector<Cone>& Cones() const { return this->Fitted.Cones; }
+  const ConeHierarchy* Hierarchy() const { return this->Tree.get(); }
+
+private:
+  void AddWalls();
+
+  std::unique_ptr<OccluderScene> FastRoom;
+  VectorsOfScene Traced;
+  ConesOfScene Fitted;
+  std::unique_ptr<ConeHierarchy> Tree;
+};
 
 } // namespace shadowcones
 

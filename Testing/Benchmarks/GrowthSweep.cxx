@@ -56,11 +56,11 @@ class Sample
 public:
   Sample(const std::string& nameOrFile, const SpeedSetting& setting, TimedJobs& jobs)
     : Setting(setting)
-    , Scene(nameOrFile, setting.Light, setting.Vectors)
+    , Scene(nameOrFile, setting.Light)
     , Jobs(jobs)
   {
-    this->Add("occluders", [this] { this->Scene.BuildOccluders(); });
-    this->Add("vectors", [this] { this->Scene.TraceVectors(); });
+    this->Add("occluders", [this] { this->Scene.BuildRoom(); });
+    this->Add("vectors", [this] { this->Scene.TraceVectors(this->Setting.Vectors); });
     this->Add("cones", [this] { this->Scene.FitCones(); });
     this->Add("hierarchy", [this] { this->Scene.BuildHierarchy(); });
     this->Add("fill", [this] { this->Grid = this->Scene.FillGrid(65, 16, 2); });
@@ -82,7 +82,7 @@ public:
 private:
   void Add(const char* name, const std::function<void()>& run)
   {
-    this->List.push_back({ name, this->Jobs.Add(this->Scene.Name() + ", " + name, this->Setting.Threads, run) });
+    this->List.push_back({ name, this->Jobs.Add(this->Scene.Name + ", " + name, this->Setting.Threads, run) });
   }
   void Render(ScatteringMode mode, const ConeHierarchy* cones)
   {
@@ -91,7 +91,7 @@ private:
   }
 
   const SpeedSetting Setting;
-  SpeedScene Scene;
+  BenchmarkScene Scene;
   TimedJobs& Jobs;
   VisibilityGrid Grid;
   ScatteringImage Image;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlainMarch.h"
 
-#include "scExtinction.h"
+#include "scExtinctionGroups.h"
 #include "scLightSampler.h"
 #include "scLightStrata.h"
-#include "scMediumDepth.h"
-#include "scPrimaryHits.h"
+#include "scMediumInterval.h"
+#include "scMediumOpticalDepth.h"
+#include "scPixelRay.h"
+#include "scPrimaryHit.h"
 #include "scRandom.h"
 
 #include "vtkCellArray.h"
@@ -104,15 +106,15 @@ public:
     , Options(options)
     , Groups(groups)
     , Strata(options.NumberOfLightSamples)
-    , Sampler(scene.Source, options.Sampling)
+    , Sampler(scene.Light, options.Sampling)
     , Tests(rays)
   {
   }
 
   double March(int i, int j)
   {
-    const Medium& medium = this->Scene.Fog;
-    this->CameraRay = this->Scene.Eye.PixelRay(i, j, this->Options.Width, this->Options.Height);
+    const Medium& medium = this->Scene.Medium;
+    this->CameraRay = this->Scene.Camera.PixelRay(i, j, this->Options.Width, this->Options.Height);
     this->Samples = 0;
     PrimaryHit hit;
     double begin = 0.0;
@@ -125,12 +127,12 @@ public:
     {
       hit = PrimaryHit();
     }
-    const MediumSegment segment = SegmentInside(medium.Bounds, this->Scene.Occluders, this->CameraRay, hit);
-    if (!segment.Crosses)
+    const MediumInterval interval = MediumIntervalOf(medium.Bounds, this->Scene.Occluders, this->CameraRay, hit);
+    if (!interval.Crosses)
     {
       return 0.0;
     }
-    this->Begin = segment.Begin;
+    this->Begin = interval.Begin;
     this->PixelSeed = HashSeed(this->Options.Seed, PixelIndex(this->Options, i, j));
 
     const int steps = this->Options.NumberOfSteps;
@@ -139,8 +141,8 @@ public:
     for (int k = 0; k <= steps; ++k)
     {
       Node& node = this->Nodes[static_cast<std::size_t>(k)];
-      node.T = k == steps ? segment.EndOfMarch
-                          : segment.Begin + static_cast<double>(k) / steps * (segment.EndOfMarch - segment.Begin);
+      node.T = k == steps ? interval.EndOfMarch
+                          : interval.Begin + static_cast<double>(k) / steps * (interval.EndOfMarch - interval.Begin);
       node.Key = static_cast<std::uint64_t>(k) << 16;
       this->Evaluate(node);
       largest = std::max(largest, node.Intensity);
@@ -160,7 +162,7 @@ public:
 private:
   double Integrate(const Node& a, const Node& b, int depth)
   {
-    if (depth < this->Options.MaximumDepth && std::fabs(a.Intensity - b.Intensity) > this->Threshold)
+    if (depth < this->Options.MaximumHalvings && std::fabs(a.Intensity - b.Intensity) > this->Threshold)
     {
       Node middle;
       middle.T = 0.5 * (a.T + b.T);
@@ -174,7 +176,6 @@ private:
   void Evaluate(Node& node)
   {
     const Vector3 point = this->CameraRay.Origin + node.T * this->CameraRay.Direction;
-    const double epsilon = this->Scene.Occluders.Epsilon();
     RandomStream random(this->PixelSeed, node.Key);
     this->Sampler.MoveTo(point);
     double sum = 0.0;
@@ -187,19 +188,19 @@ private:
         continue;
       }
       ++this->OcclusionRays;
-      if (this->Tests.Blocked(point, sample.Direction, epsilon, sample.Distance - epsilon))
+      if (this->Tests.Blocked(point, sample.Direction, 0.0, sample.Distance))
       {
         continue;
       }
-      const double depth =
-        node.T - this->Begin + std::min(sample.Distance, ExitDistance(this->Scene.Fog.Bounds, point, sample.Direction));
+      const double depth = node.T - this->Begin +
+        std::min(sample.Distance, ExitDistance(this->Scene.Medium.Bounds, point, sample.Direction));
       double value = 0.0;
       for (std::size_t g = 0; g < this->Groups.SigmaT.size(); ++g)
       {
-        value += this->Groups.MeanSource[g] * TransmittanceOver(this->Groups.SigmaT[g], depth);
+        value += this->Groups.MeanScatteredRadiance[g] * TransmittanceOver(this->Groups.SigmaT[g], depth);
       }
       const double cosine = Dot(sample.Direction, this->CameraRay.Direction);
-      sum += sample.Weight * EvaluatePhaseFunction(this->Scene.Fog.Phase, cosine) * value;
+      sum += sample.Weight * EvaluatePhaseFunction(this->Scene.Medium.Phase, cosine) * value;
     }
     node.Intensity = sum / this->Strata.Count();
     this->Samples += this->Strata.Count();
@@ -235,7 +236,7 @@ PlainImage March(const ScatteringScene& scene, const Source& source, const Scatt
   }
   image.Values.resize(image.Pixels.size());
   image.Samples.resize(image.Pixels.size());
-  const ExtinctionGroups groups(scene.Source.Spectrum, scene.Fog);
+  const ExtinctionGroups groups(scene.Light.Spectrum, scene.Medium);
   std::atomic<vtkIdType> occlusionRays{ 0 };
   vtkSMPTools::For(0, static_cast<vtkIdType>(image.Pixels.size()), 16,
     [&](vtkIdType begin, vtkIdType end)

@@ -9,7 +9,8 @@
 #ifndef PlainMarch_h
 #define PlainMarch_h
 
-#include "scScatteringImage.h"
+#include "scScatteringOptions.h"
+#include "scScatteringScene.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"

@@ -7,7 +7,7 @@
 #define SpeedFigures_h
 
 #include "ErrorCurve.h"
-#include "RoomImage.h"
+#include "ReferencePixels.h"
 #include "TimedJobs.h"
 
 #include "vtkType.h"

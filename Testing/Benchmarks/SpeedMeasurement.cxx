@@ -32,11 +32,10 @@ class Measurement
 public:
   Measurement(const std::string& nameOrFile, const SpeedSetting& setting)
     : Setting(setting)
-    , Scene(nameOrFile, setting.Light, setting.Vectors)
+    , Scene(nameOrFile, setting.Light)
   {
     vtkSMPTools::Initialize(0);
-    this->Truth = ReferencePixels(
-      this->Scene.Data(), this->Scene.Walls(), setting.Size, setting.Pixels, setting.Samples, setting.Folder);
+    this->Truth = ReferencePixels(this->Scene, setting.Size, setting.Pixels, setting.Samples, setting.Folder);
   }
 
   SpeedFigures Run()
@@ -116,8 +115,8 @@ private:
     const auto add = [this](const char* name, const std::function<void()>& run) {
       this->StageJobs.push_back({ name, this->Jobs.Add(name, this->Setting.Threads, run) });
     };
-    add("occluders", [this] { this->Scene.BuildOccluders(); });
-    add("vectors", [this] { this->Scene.TraceVectors(); });
+    add("occluders", [this] { this->Scene.BuildRoom(); });
+    add("vectors", [this] { this->Scene.TraceVectors(this->Setting.Vectors); });
     add("cones", [this] { this->Scene.FitCones(); });
     add("hierarchy", [this] { this->Scene.BuildHierarchy(); });
   }
@@ -215,7 +214,7 @@ private:
   {
     const int stride = std::min(this->Setting.LocatorStride, std::max(1, this->Setting.Size / 16));
     this->LocatorBuildJob = this->Jobs.Add("locator", this->Setting.Threads,
-      [this] { this->Locator = std::make_unique<LocatorScene>(this->Scene.Walls().Mesh.View()); });
+      [this] { this->Locator = std::make_unique<LocatorScene>(this->Scene.Room.View()); });
     const ScatteringOptions options = this->Scene.Options(ScatteringMode::BruteForce, this->Setting.Size);
     this->LocatorMarchJob = this->Jobs.Add("march with the locator", this->Setting.Threads,
       [this, options, stride]
@@ -247,7 +246,7 @@ private:
         const bool vectors = stage.Name == "vectors";
         this->OneThreadJobs.push_back({ stage.Name,
           this->Jobs.Add(stage.Name + ", one thread", 1,
-            [this, vectors] { vectors ? this->Scene.TraceVectors() : this->Scene.FitCones(); }),
+            [this, vectors] { vectors ? this->Scene.TraceVectors(this->Setting.Vectors) : this->Scene.FitCones(); }),
           stage.Job });
       }
     }
@@ -280,7 +279,7 @@ private:
   SpeedFigures Collect()
   {
     SpeedFigures& figures = this->Figures;
-    figures.Scene = this->Scene.Name();
+    figures.Scene = this->Scene.Name;
     figures.Size = this->Setting.Size;
     figures.Threads = this->Setting.Threads;
     figures.Triangles = this->Scene.NumberOfTriangles();
@@ -340,7 +339,7 @@ private:
   };
 
   const SpeedSetting& Setting;
-  SpeedScene Scene;
+  BenchmarkScene Scene;
   std::vector<PixelTruth> Truth;
   TimedJobs Jobs;
   std::list<Frame> Frames; ///< a list: jobs refer to its items

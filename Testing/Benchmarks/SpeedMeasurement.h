@@ -6,8 +6,8 @@
 #ifndef SpeedMeasurement_h
 #define SpeedMeasurement_h
 
+#include "BenchmarkScene.h"
 #include "SpeedFigures.h"
-#include "SpeedScene.h"
 
 #include <string>
 
@@ -23,8 +23,8 @@ struct SpeedSetting
   int Pixels = 2048;    ///< compared with the reference
   int Samples = 65536;  ///< of the reference for each of them
   std::string Folder = ".";
-  DiscLight Light;
-  vtkIdType Vectors = 0; ///< 0: what SpeedScene chooses
+  RoomLamp Light;
+  vtkIdType Vectors = 0; ///< 0: what the scene chooses
   int LocatorStride = 8; ///< the march with the locator takes every so many pixels, both ways
 };
 

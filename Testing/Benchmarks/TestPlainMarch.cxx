@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "BenchmarkScene.h"
 #include "PlainMarch.h"
-#include "SpeedScene.h"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,13 @@ namespace
 {
 struct MarchedChair
 {
-  SpeedScene Scene{ "chair", DiscLight() };
+  BenchmarkScene Scene{ "chair" };
   ScatteringOptions Options = Scene.Options(ScatteringMode::BruteForce, 24);
   ScatteringImage Image;
 
   MarchedChair()
   {
-    this->Scene.BuildOccluders();
+    this->Scene.BuildRoom();
     this->Scene.Render(this->Options, nullptr, nullptr, this->Image);
   }
   double At(int pixel) const
@@ -54,7 +54,7 @@ TEST(PlainMarch, WithEmbreeIsBruteForce)
 TEST(PlainMarch, WithTheLocatorAgreesOnItsPixels)
 {
   const MarchedChair chair;
-  const LocatorScene locator(chair.Scene.Walls().Mesh.View());
+  const LocatorScene locator(chair.Scene.Room.View());
   const PlainImage plain = MarchWithLocator(chair.Scene.View(), locator, chair.Options, 4);
   ASSERT_EQ(plain.Pixels.size(), 36u);
   EXPECT_EQ(plain.Pixels[7], 4 + 24 * 4);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How well cones bound the shadow: one line for each scene, number of vectors and set of parameters. The quantities are
 // those of vtkConeSetAccuracy, by samples drawn evenly in the room.
-#include "BenchmarkScene.h"
+#include "SampledRoom.h"
 
-#include "scConeAccuracy.h"
-#include "scConeIntervals.h"
+#include "scCone.h"
+#include "scConeHierarchy.h"
+#include "scOccluderInterval.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,42 +13,19 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <map>
 #include <tuple>
 
 using namespace shadowcones;
 
 namespace
 {
-/// Samples in the room and what the mesh does to the light there.
-struct SampledRoom
-{
-  std::vector<Vector3> Points;
-  std::vector<SampleTruth> Truth;
-};
-
-SampledRoom SampleRoom(const BenchmarkScene& scene, int points, int lightPoints, int seed)
-{
-  SampledRoom room;
-  const auto word = static_cast<std::uint64_t>(seed);
-  DrawSamplePoints(RoomBounds(), points, word, {}, room.Points);
-  MeasureTruth(room.Points, *scene.Fast, scene.Source, lightPoints, word, {}, room.Truth);
-  return room;
-}
-
-AccuracyTally Measure(const SampledRoom& room, const std::vector<Cone>& cones)
-{
-  std::vector<SamplePrediction> predictions;
-  std::vector<ConeTally> tallies;
-  ClassifyByCones(room.Points, room.Truth, cones, {}, predictions, tallies);
-  return TallyAccuracy(room.Truth, predictions, cones, 0).All;
-}
-
 /// For the merged intervals of a ray across the room.
 double NanosecondsPerRay(const SampledRoom& room, const std::vector<Cone>& cones)
 {
   const ConeHierarchy hierarchy(cones, RoomBounds());
   constexpr int rays = 20000;
-  std::vector<RayInterval> intervals;
+  std::vector<OccluderInterval> intervals;
   const Vector3 eye{ 0.0, 2.6, 10.0 };
   const double start = Now();
   for (std::size_t k = 0; k < rays; ++k)
@@ -169,8 +147,8 @@ int main(int argc, char* argv[])
       "tuning[s]", "fit[s]", "ray[ns]");
     for (const std::string& name : scenes)
     {
-      const BenchmarkScene scene = LoadBenchmarkScene(name);
-      const SampledRoom room = SampleRoom(scene, points, lightPoints, truthSeed);
+      const BenchmarkScene scene(name);
+      const SampledRoom room(scene, points, lightPoints, truthSeed);
       using Key = std::tuple<vtkIdType, int, int>;
       std::map<Key, VectorsOfScene> made;
       for (const ConeParameters& parameters : sets)
@@ -178,11 +156,11 @@ int main(int argc, char* argv[])
         const Key key(parameters.Vectors, parameters.Storage, parameters.Seed);
         if (!made.count(key))
         {
-          made[key] = MakeVectors(scene, parameters);
+          made[key] = scene.MakeVectors(parameters);
         }
         const VectorsOfScene& traced = made[key];
         const ConesOfScene cones = MakeCones(traced, parameters);
-        const AccuracyTally found = Measure(room, cones.Cones);
+        const AccuracyTally found = room.Measure(cones.Cones);
         const double rayTime = NanosecondsPerRay(room, cones.Cones);
         const long long count = traced.Vectors->GetNumberOfPoints();
         const auto print = [&](std::FILE* file, const char* format)

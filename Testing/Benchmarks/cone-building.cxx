@@ -4,9 +4,7 @@
 // Exponents are slopes of log(time) over log(vectors) against the row above. Memory is the process's largest resident set so
 // far, so rows must grow.
 #include "BenchmarkScene.h"
-
-#include "scConeSet.h"
-#include "scShadowVectors.h"
+#include "Chain.h"
 
 #include <CLI/CLI.hpp>
 
@@ -40,7 +38,7 @@ int main(int argc, char** argv)
   CLI11_PARSE(app, argc, argv);
   try
   {
-    const BenchmarkScene scene = LoadBenchmarkScene(name);
+    const BenchmarkScene scene(name);
     std::printf("%10s %8s %10s %10s %8s %10s %8s %10s\n", "vectors", "cones", "trace s", "fit s", "exponent", "us/vector",
       "all exp.", "peak MB");
     double lastFit = 0.0;
@@ -51,31 +49,23 @@ int main(int argc, char** argv)
       ShadowVectorOptions tracing;
       tracing.TargetNumberOfVectors = number;
       tracing.Storage = VectorStorage::HitPoint;
-      ShadowVectorResult traced;
       const double start = Now();
-      TraceShadowVectors(*scene.Fast, scene.Source, tracing, {}, traced);
+      const ShadowVectorResult traced = testsupport::Trace(*scene.Fast, scene.Light, tracing);
       const double middle = Now();
-      ShadowVectorView view;
-      view.Count = static_cast<vtkIdType>(traced.Vectors.OccluderIds.size());
-      view.Points = traced.Vectors.Points.data();
-      view.Directions = traced.Vectors.Directions.data();
-      view.EmissionPoints = traced.Vectors.EmissionPoints.data();
-      view.OccluderIds = traced.Vectors.OccluderIds.data();
       ConeSetOptions options;
       options.Overlap = overlap;
       options.VarianceThreshold = overlap ? 1.8 : 1.6;
       options.CosineCorrection = !overlap;
       options.Expansion = overlap ? ConeExpansion::LightGeometry : ConeExpansion::MaximumDeviation;
-      ConeSet set;
-      FitConeSet(view, {}, LightExtentOf(scene.Source), options, {}, set);
+      const ConeSet set = testsupport::Fit(traced, scene.Light, options);
       const double end = Now();
-      const double count = static_cast<double>(view.Count);
+      const double count = static_cast<double>(traced.Vectors.OccluderIds.size());
       const auto exponent = [&](double last, double now) {
         return last > 0.0 ? std::log(now / last) / std::log(count / lastNumber) : 0.0;
       };
-      std::printf("%10lld %8zu %10.2f %10.2f %8.2f %10.2f %8.2f %10.0f\n", static_cast<long long>(view.Count),
-        set.Cones.size(), middle - start, end - middle, exponent(lastFit, end - middle), 1e6 * (end - middle) / count,
-        exponent(lastAll, end - start), PeakMegabytes());
+      std::printf("%10lld %8zu %10.2f %10.2f %8.2f %10.2f %8.2f %10.0f\n",
+        static_cast<long long>(traced.Vectors.OccluderIds.size()), set.Cones.size(), middle - start, end - middle,
+        exponent(lastFit, end - middle), 1e6 * (end - middle) / count, exponent(lastAll, end - start), PeakMegabytes());
       std::fflush(stdout);
       lastFit = end - middle;
       lastAll = end - start;

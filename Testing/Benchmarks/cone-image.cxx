@@ -5,13 +5,16 @@
 // that the error is of the shadow alone: root of the mean square over pixels, over the mean of the truth. The truth's
 // blocked part is estimated with occlusion rays at random places and light points of its own; its noise is known and
 // taken off. --reference holds the truth against the independent renderer of Testing/Reference.
-#include "RoomImage.h"
+#include "ReferencePixels.h"
 
-#include "scConeIntervals.h"
+#include "scCone.h"
+#include "scConeHierarchy.h"
+#include "scOccluderInterval.h"
 #include "scRandom.h"
 #include "scVisibilityGrid.h"
 #include "scVisibilityProbe.h"
 
+#include "scFrame.h"
 #include "vtkSMPTools.h"
 
 #include <CLI/CLI.hpp>
@@ -157,8 +160,8 @@ PixelRay MakeRay(const Ray& line, const BenchmarkScene& scene, const OccluderSce
   {
     return ray;
   }
-  ray.Nearest = Dot(scene.Source.Center - line.Origin, line.Direction);
-  ray.Distance = std::max(nearest, Length(ray.Point(ray.Nearest) - scene.Source.Center));
+  ray.Nearest = Dot(scene.Light.Center - line.Origin, line.Direction);
+  ray.Distance = std::max(nearest, Length(ray.Point(ray.Nearest) - scene.Light.Center));
   ray.FirstAngle = std::atan((ray.Begin - ray.Nearest) / ray.Distance);
   ray.CellAngle = (std::atan((ray.End - ray.Nearest) / ray.Distance) - ray.FirstAngle) / cells;
   for (int cell = 0; cell < cells; ++cell)
@@ -211,7 +214,7 @@ double WithVisibility(const PixelRay& ray, const std::function<double(const Vect
 }
 
 /// Nothing inside cones, everything outside.
-double OutsideCones(const PixelRay& ray, const ConeHierarchy& cones, std::vector<RayInterval>& intervals)
+double OutsideCones(const PixelRay& ray, const ConeHierarchy& cones, std::vector<OccluderInterval>& intervals)
 {
   double sum = ray.Sum();
   if (ray.Lit.empty())
@@ -219,7 +222,7 @@ double OutsideCones(const PixelRay& ray, const ConeHierarchy& cones, std::vector
     return sum;
   }
   cones.Intersect(ray.Line.Origin, ray.Line.Direction, ray.Begin, ray.End, intervals);
-  for (const RayInterval& interval : intervals)
+  for (const OccluderInterval& interval : intervals)
   {
     const double first = std::clamp(ray.CellOf(interval.Begin), 0.0, static_cast<double>(cells));
     const double last = std::clamp(ray.CellOf(interval.End), first, static_cast<double>(cells));
@@ -249,10 +252,9 @@ class Table
 {
 public:
   Table(const std::string& name, const Setting& setting)
-    : Scene(LoadBenchmarkScene(name))
-    , Walls(BuildRoom(this->Scene, this->Scene.Source.Spectrum.size()))
-    , RoomScene(this->Walls.Mesh.View())
-    , What(this->Scene.Source, RoomMedium(this->Scene.Source))
+    : Scene(name)
+    , RoomScene(this->Scene.Room.View())
+    , What(this->Scene.Light, this->Scene.Medium)
     , Settings(setting)
     , Truth(SpreadPixels(setting.Size, setting.Pixels))
     , Rays(this->Truth.size())
@@ -263,9 +265,8 @@ public:
         for (vtkIdType k = begin; k < end; ++k)
         {
           PixelTruth& pixel = this->Truth[k];
-          this->Rays[k] =
-            MakeRay(RoomCamera().PixelRay(pixel.I, pixel.J, setting.Size, setting.Size), this->Scene, this->RoomScene,
-              this->What);
+          this->Rays[k] = MakeRay(this->Scene.Camera.PixelRay(pixel.I, pixel.J, setting.Size, setting.Size),
+            this->Scene, this->RoomScene, this->What);
           TraceTruth(this->Rays[k], this->RoomScene, this->What, setting.SamplesPerCell,
             static_cast<std::uint64_t>(k), pixel);
         }
@@ -275,8 +276,8 @@ public:
   /// The truth against the independent reference: mean difference, and differences over their standard errors.
   void CheckTruth() const
   {
-    const std::vector<PixelTruth> reference = ReferencePixels(this->Scene, this->Walls, this->Settings.Size,
-      this->Settings.Pixels, this->Settings.ReferenceSamples, this->Settings.Folder);
+    const std::vector<PixelTruth> reference = ReferencePixels(
+      this->Scene, this->Settings.Size, this->Settings.Pixels, this->Settings.ReferenceSamples, this->Settings.Folder);
     double difference = 0.0;
     double variance = 0.0;
     double sum = 0.0;
@@ -321,7 +322,7 @@ public:
       this->Print("Fast, Preview", vectors, cones.size(), seconds, 0.0,
         [&](const PixelRay& ray)
         {
-          thread_local std::vector<RayInterval> intervals;
+          thread_local std::vector<OccluderInterval> intervals;
           return OutsideCones(ray, hierarchy, intervals);
         });
     }
@@ -351,7 +352,7 @@ private:
   {
     ConeParameters parameters = NamedParameters(set);
     parameters.Vectors = vectors;
-    const VectorsOfScene made = MakeVectors(this->Scene, parameters);
+    const VectorsOfScene made = this->Scene.MakeVectors(parameters);
     ConesOfScene cones = MakeCones(made, parameters);
     seconds = made.Seconds + cones.TuningSeconds + cones.Seconds;
     return std::move(cones.Cones);
@@ -373,7 +374,7 @@ private:
         options.BrickParts = parts;
         const double start = Now();
         VisibilityGrid grid;
-        FillVisibilityGrid(cones, this->Scene.Source, this->Scene.Fast.get(), RoomBounds(), options, {}, grid);
+        FillVisibilityGrid(cones, this->Scene.Light, this->Scene.Fast.get(), RoomBounds(), options, {}, grid);
         const double fill = Now() - start;
         const std::string label = name + ", grid " + std::to_string(side);
         this->Print(parts > 1 ? label + "x" + std::to_string(parts) : label, vectors, cones.size(), seconds, fill,
@@ -386,7 +387,7 @@ private:
       VisibilityOptions options;
       options.Method = method;
       options.NumberOfLightSamples = this->Settings.LightSamples;
-      const VisibilityProbe probe(cones, this->Scene.Source, this->Scene.Fast.get(), RoomBounds(), options);
+      const VisibilityProbe probe(cones, this->Scene.Light, this->Scene.Fast.get(), RoomBounds(), options);
       this->Print(name + ", no grid", vectors, cones.size(), seconds, 0.0,
         [&](const PixelRay& ray)
         { return WithVisibility(ray, [&](const Vector3& x) { return probe.At(x).Fraction; }); });
@@ -414,7 +415,6 @@ private:
   }
 
   BenchmarkScene Scene;
-  Room Walls;
   OccluderScene RoomScene;
   Integrand What;
   const Setting& Settings;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What proving a cone set costs: a line for the fitted cones, for the same after the proof, and for cones around parts of the
 // occluders alone. Recall and the share of the cones' volume in shadow are by samples drawn evenly in the room.
-#include "BenchmarkScene.h"
 #include "ConeAdversary.h"
+#include "SampledRoom.h"
 
-#include "scConeAccuracy.h"
 #include "scConeProof.h"
 #include "scConeProofCheck.h"
 
@@ -18,21 +17,12 @@ using namespace shadowcones;
 
 namespace
 {
-struct SampledRoom
-{
-  std::vector<Vector3> Points;
-  std::vector<SampleTruth> Truth;
-};
-
 void PrintRow(const char* name, const BenchmarkScene& scene, const SampledRoom& room, const ConeProof& proof, double seconds)
 {
-  std::vector<SamplePrediction> predictions;
-  std::vector<ConeTally> tallies;
-  ClassifyByCones(room.Points, room.Truth, proof.Cones, {}, predictions, tallies);
-  const AccuracyTally tally = TallyAccuracy(room.Truth, predictions, proof.Cones, 0).All;
+  const AccuracyTally tally = room.Measure(proof.Cones);
   ConeProofCheck check;
   const double start = Now();
-  CheckConeProof(scene.Mesh.View(), scene.Source, proof.Cones, proof.CertifiedBounds, {}, check);
+  CheckConeProof(scene.Mesh.View(), scene.Light, proof.Cones, proof.CertifiedBounds, {}, check);
   std::printf("%-12s %9zu %-10s %6zu %6lld %6lld %8lld %8.5f %8.4f %8.3f %7s %8.2f %6.2f\n", scene.Name.c_str(),
     scene.Mesh.Triangles.size() / 3, name, proof.Cones.size(), static_cast<long long>(proof.NumberOfGrownCones),
     static_cast<long long>(proof.NumberOfAddedCones), static_cast<long long>(proof.NumberOfProvedParts),
@@ -44,7 +34,7 @@ void PrintRow(const char* name, const BenchmarkScene& scene, const SampledRoom& 
 void SearchLeaks(const BenchmarkScene& scene, const std::vector<Cone>& cones, long long tries)
 {
   const double start = Now();
-  const AdversaryResult result = ConeAdversary(scene.Mesh.View(), scene.Source, cones).Search(tries, 1);
+  const AdversaryResult result = ConeAdversary(scene.Mesh.View(), scene.Light, cones).Search(tries, 1);
   std::printf("  %lld tries: %lld points inside cones, %lld outside looked at by rays, %lld leaks; %.0f s\n", tries,
     result.Inside, result.Outside, result.Leaks, Now() - start);
   std::fflush(stdout);
@@ -52,12 +42,10 @@ void SearchLeaks(const BenchmarkScene& scene, const std::vector<Cone>& cones, lo
 
 void Measure(const BenchmarkScene& scene, const ConeParameters& parameters, int points, long long tries)
 {
-  SampledRoom room;
-  DrawSamplePoints(RoomBounds(), points, 20240, {}, room.Points);
-  MeasureTruth(room.Points, *scene.Fast, scene.Source, 64, 20240, {}, room.Truth);
+  const SampledRoom room(scene, points, 64, 20240);
   ConeProof fitted;
   const double start = Now();
-  fitted.Cones = MakeCones(MakeVectors(scene, parameters), parameters).Cones;
+  fitted.Cones = scene.MakeConesOf(parameters);
   PrintRow("fitted", scene, room, fitted, Now() - start);
   ConeProofOptions options;
   options.Region = RoomBounds();
@@ -65,7 +53,8 @@ void Measure(const BenchmarkScene& scene, const ConeParameters& parameters, int 
   {
     ConeProof proof;
     const double begin = Now();
-    ProveConeSet(scene.Mesh.View(), { scene.Source }, withFitted ? fitted.Cones : std::vector<Cone>(), options, {}, proof);
+    ProveConeSet(
+      scene.Mesh.View(), { scene.Light }, withFitted ? fitted.Cones : std::vector<Cone>(), options, {}, proof);
     PrintRow(withFitted ? "proved" : "clusters", scene, room, proof, Now() - begin);
     if (tries > 0)
     {
@@ -97,7 +86,7 @@ int main(int argc, char** argv)
     {
       ConeParameters parameters = NamedParameters(set);
       parameters.Vectors = vectors;
-      Measure(LoadBenchmarkScene(name), parameters, points, tries);
+      Measure(BenchmarkScene(name), parameters, points, tries);
     }
   }
   catch (const std::exception& exception)

@@ -4,7 +4,13 @@
 // n cones stand on a 4 x 4 square under a disc light, base radius 2.4 / sqrt(n): the density of a fitted, overlapping set. Rays
 // cross the room as a camera's do; points are uniform in it. Every row is the median of several runs in one process; the
 // exponents are slopes of log(time) over log(n) between neighbouring rows.
+#include "Room.h"
+#include "scCone.h"
+#include "scConeHierarchy.h"
 #include "scConeIntervals.h"
+#include "scLight.h"
+#include "scLightExtent.h"
+#include "scOccluderInterval.h"
 #include "scRandom.h"
 
 #include <CLI/CLI.hpp>
@@ -23,25 +29,9 @@ using namespace shadowcones;
 
 namespace
 {
-struct Ray
-{
-  Vector3 Origin;
-  Vector3 Direction;
-};
-
-Box Room()
-{
-  return { { -2.75, 0.0, -2.75 }, { 2.75, 5.2, 2.75 } };
-}
-
 std::vector<Cone> MakeCones(int count)
 {
-  Light light;
-  light.Center = { 0.0, 5.49, 0.0 };
-  light.Normal = { 0.0, -1.0, 0.0 };
-  light.Radius = 0.5;
-  light.Spectrum = { 1.0 };
-  PrepareLight(light);
+  const Light light = testsupport::RoomLight({ 1.0 });
   const LightExtent extent = LightExtentOf(light);
   std::vector<Cone> cones(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
@@ -118,7 +108,7 @@ public:
   EmbreeCones(const EmbreeCones&) = delete;
   EmbreeCones& operator=(const EmbreeCones&) = delete;
 
-  void Intersect(const Ray& ray, std::vector<RayInterval>& intervals)
+  void Intersect(const Ray& ray, std::vector<OccluderInterval>& intervals)
   {
     intervals.clear();
     double tMin = 0.0;
@@ -181,9 +171,9 @@ private:
       return;
     }
     auto* self = static_cast<EmbreeCones*>(arguments->geometryUserPtr);
-    RayInterval interval;
-    if (IntersectCone(self->Cones[arguments->primID], HUGE_VAL, self->Current->Origin, self->Current->Direction, self->From,
-          self->To, interval))
+    OccluderInterval interval;
+    if (IntersectCone(self->Cones[arguments->primID], HUGE_VAL, { self->Current->Origin, self->Current->Direction },
+          { self->From, self->To }, interval))
     {
       self->Found->push_back(interval);
     }
@@ -194,7 +184,7 @@ private:
   RTCDevice Device;
   RTCScene Scene;
   const Ray* Current = nullptr;
-  std::vector<RayInterval>* Found = nullptr;
+  std::vector<OccluderInterval>* Found = nullptr;
   double From = 0.0;
   double To = 0.0;
 };
@@ -216,7 +206,7 @@ int main(int argc, char** argv)
   app.add_option("--runs", runs, "runs of which the median is printed")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
-  const Box room = Room();
+  const Box room = testsupport::RoomBounds();
   const std::vector<Ray> rays = MakeRays(queries);
   std::vector<Vector3> points;
   for (int i = 0; i < queries; ++i)
@@ -236,11 +226,12 @@ int main(int argc, char** argv)
     const ConeHierarchy hierarchy(cones, room);
     const double build = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     EmbreeCones embree(cones, room);
-    std::vector<RayInterval> intervals;
+    std::vector<OccluderInterval> intervals;
     double sum = 0.0; // keeps the work from being dropped
     double hits = 0.0;
-    const auto add = [&]() {
-      for (const RayInterval& interval : intervals)
+    const auto add = [&]()
+    {
+      for (const OccluderInterval& interval : intervals)
       {
         sum += interval.End - interval.Begin;
       }
@@ -257,10 +248,10 @@ int main(int argc, char** argv)
       double tMax = HUGE_VAL;
       if (room.Clip(rays[i].Origin, rays[i].Direction, tMin, tMax))
       {
-        RayInterval interval;
+        OccluderInterval interval;
         for (const Cone& cone : cones)
         {
-          if (IntersectCone(cone, HUGE_VAL, rays[i].Origin, rays[i].Direction, tMin, tMax, interval))
+          if (IntersectCone(cone, HUGE_VAL, rays[i], { tMin, tMax }, interval))
           {
             intervals.push_back(interval);
           }

@@ -51,13 +51,13 @@ int main(int argc, char** argv)
       "p4", "var", "fits", "fraction", "scale", "objective", "best", "median", "ratio", "seconds");
     for (const std::string& name : scenes)
     {
-      const BenchmarkScene scene = LoadBenchmarkScene(name);
+      const BenchmarkScene scene(name);
       for (const vtkIdType number : numbers)
       {
         ConeParameters parameters = NamedParameters("bounds");
         parameters.Vectors = number;
         parameters.Seed = seed;
-        const VectorsOfScene made = MakeVectors(scene, parameters);
+        const VectorsOfScene made = scene.MakeVectors(parameters);
         ShadowVectorArrays vectors;
         PhotonPathArrays paths;
         std::string error;
@@ -65,7 +65,7 @@ int main(int argc, char** argv)
         {
           throw std::runtime_error(error);
         }
-        const LightExtent extent = LightExtentOf(scene.Source);
+        const LightExtent extent = LightExtentOf(scene.Light);
         const char* const kinds[] = { "Manual", "Conservative", "Preview", "Soft" };
         for (int kind = 1; kind <= 3; ++kind)
         {

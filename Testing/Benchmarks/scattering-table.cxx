@@ -4,10 +4,13 @@
 // The scene is the room with coloured side walls and a black back wall (Data/cornell-box.vtp). The error is that of the
 // medium term: root of the mean square over pixels, over the mean, of the mean over wavelengths. The truth is
 // Testing/Reference at random pixels, with independent random light points; its own noise is known and taken off.
-#include "RoomImage.h"
+#include "ReferencePixels.h"
 
-#include "scConeIntervals.h"
+#include "scCone.h"
+#include "scConeHierarchy.h"
+#include "scRenderScattering.h"
 #include "scScatteringImage.h"
+#include "scScatteringOptions.h"
 
 #include "vtkSMPTools.h"
 
@@ -87,18 +90,17 @@ int main(int argc, char* argv[])
       "%-8s %-24s %7s %8s %7s %8s %8s %12s\n", "scene", "mode", "cones", "seconds", "speed", "error", "bias", "rays");
     for (const std::string& name : scenes)
     {
-      const BenchmarkScene scene = LoadBenchmarkScene(name);
-      const Room room = BuildRoom(scene, scene.Source.Spectrum.size());
+      const BenchmarkScene scene(name);
       vtkSMPTools::Initialize(0);
       const std::vector<PixelTruth> truth =
-        ReferencePixels(scene, room, setting.Size, setting.Pixels, setting.Samples, folder);
+        ReferencePixels(scene, setting.Size, setting.Pixels, setting.Samples, folder);
 
       const auto conesOf = [&](const std::string& set, double fraction)
       {
         ConeParameters parameters = NamedParameters(set);
         parameters.Vectors = vectors;
         parameters.Fraction = fraction;
-        return MakeCones(MakeVectors(scene, parameters), parameters).Cones;
+        return scene.MakeConesOf(parameters);
       };
       struct Row
       {
@@ -114,31 +116,30 @@ int main(int argc, char* argv[])
         { "no shadow", ScatteringMode::Fast, {} } };
 
       vtkSMPTools::Initialize(threads);
-      const OccluderScene occluders(room.Mesh.View());
-      const Medium medium = RoomMedium(scene.Source);
+      const OccluderScene occluders(scene.Room.View());
       double brute = 0.0;
       ImageError error;
       for (const Row& row : rows)
       {
-        const ConeHierarchy cones(row.Cones, medium.Bounds);
+        const ConeHierarchy cones(row.Cones, scene.Medium.Bounds);
         ScatteringOptions options;
         options.Mode = row.Mode;
         options.Width = setting.Size;
         options.Height = setting.Size;
         options.Extent = { 0, setting.Size - 1, 0, setting.Size - 1 };
         options.NumberOfSteps = setting.Steps;
-        options.MaximumDepth = setting.Depth;
+        options.MaximumHalvings = setting.Depth;
         options.IntensityThreshold = setting.Threshold;
         options.NumberOfLightSamples = setting.LightSamples;
         options.LightVisible = false;
-        options.SurfaceReflectance = room.Reflectance;
-        options.ReflectanceComponents = static_cast<int>(scene.Source.Spectrum.size());
+        options.SurfaceReflectance = scene.Reflectance;
+        options.ReflectanceComponents = static_cast<int>(scene.Light.Spectrum.size());
         ScatteringImage image;
         double seconds = HUGE_VAL;
         for (int run = 0; run < setting.Repeats; ++run)
         {
           const std::clock_t start = std::clock();
-          RenderScattering({ occluders, scene.Source, medium, RoomCamera(), &cones }, options, Monitor(), image);
+          RenderScattering({ occluders, scene.Light, scene.Medium, scene.Camera, &cones }, options, Monitor(), image);
           seconds = std::min(seconds, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
         }
         brute = row.Mode == ScatteringMode::BruteForce ? seconds : brute;

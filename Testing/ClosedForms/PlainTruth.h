@@ -6,7 +6,7 @@
 #ifndef PlainTruth_h
 #define PlainTruth_h
 
-#include "ImageTestScene.h"
+#include "Scenes.h"
 #include "scRandom.h"
 
 #include <algorithm>
@@ -26,8 +26,8 @@ struct PlainTruth
  * centre, points of the disc are even in area, from a lattice (Roberts 2018) that is shifted at random; the rest is the
  * integrand as it stands in books. The error is that of @p repeats independent estimates.
  */
-inline PlainTruth PlainInScattering(const ImageTestScene& scene, const OccluderScene& occluders, int i, int j,
-  int samples, std::uint64_t seed, int repeats = 4)
+inline PlainTruth PlainInScattering(const testsupport::ImageTestScene& scene, const OccluderScene& occluders, int i,
+  int j, int samples, std::uint64_t seed, int repeats = 4)
 {
   const Ray ray = scene.PixelRay(i, j);
   const Light& lamp = scene.Source;
@@ -43,7 +43,7 @@ inline PlainTruth PlainInScattering(const ImageTestScene& scene, const OccluderS
   {
     return truth;
   }
-  const double pi = 3.14159265358979323846;
+  const double pi = testsupport::Pi;
   const double nearest = Dot(lamp.Center - ray.Origin, ray.Direction);
   const double distance = Length(ray.Origin + nearest * ray.Direction - lamp.Center);
   const double first = std::atan((begin - nearest) / distance);
@@ -70,7 +70,7 @@ inline PlainTruth PlainInScattering(const ImageTestScene& scene, const OccluderS
       const double length = Length(to);
       const Vector3 direction = (1.0 / length) * to;
       const double cosine = -Dot(direction, lamp.Normal);
-      if (cosine > 0.0 && !occluders.Occluded(x, direction, occluders.Epsilon(), length - occluders.Epsilon()))
+      if (cosine > 0.0 && !occluders.Occluded(x, direction, 0.0, length))
       {
         double from = 0.0;
         double leg = length;

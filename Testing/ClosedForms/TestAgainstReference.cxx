@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every fast path against the slow, plain reference on chair, tree and blob.
+#include "RoomTestScene.h"
+#include "SampledVisibility.h"
 #include "scConeIntervals.h"
-#include "scConeSet.h"
-#include "scMeshData.h"
 #include "scReference.h"
-#include "scScatteringImage.h"
-#include "scShadowVectors.h"
-#include "TestMeshes.h"
-
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +11,7 @@
 #include <string>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -30,38 +24,12 @@ struct Scene
 
 Scene Load(const std::string& name)
 {
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName((std::string(SHADOWCONES_DATA_DIR "/") + name + ".vtp").c_str());
-  reader->Update();
   Scene scene;
-  std::string error;
-  EXPECT_TRUE(ReadTriangles(reader->GetOutput(), scene.Mesh, error)) << error;
+  scene.Mesh = RoomMesh(name);
   EXPECT_GT(scene.Mesh.View().NumberOfTriangles, 100);
   scene.Fast = std::make_unique<OccluderScene>(scene.Mesh.View());
   scene.Slow = std::make_unique<ReferenceScene>(scene.Mesh.View());
   return scene;
-}
-
-Light CeilingLight()
-{
-  Light light;
-  light.Shape = LightShape::Disc;
-  light.Center = { 0.0, 5.49, 0.0 };
-  light.Normal = { 0.0, -1.0, 0.0 };
-  light.Radius = 0.5;
-  light.Spectrum = { 1.0 };
-  EXPECT_EQ(PrepareLight(light), nullptr);
-  return light;
-}
-
-Medium RoomMedium()
-{
-  Medium medium;
-  medium.SigmaS = { 0.12 };
-  medium.SigmaA = { 0.05 };
-  medium.Bounds.Min = { -2.75, 0.0, -2.75 };
-  medium.Bounds.Max = { 2.75, 5.2, 2.75 };
-  return medium;
 }
 
 Vector3 RoomPoint(RandomStream& random)
@@ -69,29 +37,6 @@ Vector3 RoomPoint(RandomStream& random)
   const double x = 5.5 * random.Next() - 2.75;
   const double y = 5.2 * random.Next();
   return { x, y, 5.5 * random.Next() - 2.75 };
-}
-
-/// Few, large cones that hold the shadow: 20,000 vectors at the hit points, overlapping, under the exact light.
-std::vector<Cone> ConservativeCones(const Scene& scene, const Light& light)
-{
-  ShadowVectorOptions tracing;
-  tracing.TargetNumberOfVectors = 20000;
-  tracing.Storage = VectorStorage::HitPoint;
-  ShadowVectorResult traced;
-  EXPECT_TRUE(TraceShadowVectors(*scene.Fast, light, tracing, Monitor(), traced));
-  ShadowVectorView view;
-  view.Count = static_cast<vtkIdType>(traced.Vectors.OccluderIds.size());
-  view.Points = traced.Vectors.Points.data();
-  view.Directions = traced.Vectors.Directions.data();
-  view.EmissionPoints = traced.Vectors.EmissionPoints.data();
-  ConeSetOptions options;
-  options.VarianceThreshold = 1.8;
-  options.CosineCorrection = false;
-  options.Expansion = ConeExpansion::LightGeometry;
-  options.Overlap = true;
-  ConeSet set;
-  EXPECT_TRUE(FitConeSet(view, PhotonPathView(), LightExtentOf(light), options, Monitor(), set));
-  return set.Cones;
 }
 
 class AgainstReference : public testing::TestWithParam<const char*>
@@ -149,7 +94,7 @@ TEST_P(AgainstReference, AllHits)
 TEST_P(AgainstReference, Visibility)
 {
   const Scene scene = Load(GetParam());
-  const Light light = CeilingLight();
+  const Light light = RoomLight({ 1.0 });
   const int samples = 60000;
   int partial = 0;
   for (std::uint64_t k = 0; partial < 6 && k < 5000; ++k)
@@ -172,10 +117,10 @@ TEST_P(AgainstReference, Visibility)
 TEST_P(AgainstReference, Radiance)
 {
   const Scene scene = Load(GetParam());
-  const Light light = CeilingLight();
-  const Medium medium = RoomMedium();
+  const Light light = RoomLight({ 1.0 });
+  const Medium medium = RoomMedium(1, 0.05);
   const Camera camera = LookAt({ 0.0, 2.75, 8.0 }, { 0.0, 2.75, 0.0 }, 0.5);
-  const ConeHierarchy cones(ConservativeCones(scene, light), medium.Bounds);
+  const ConeHierarchy cones(BoundingCones(*scene.Fast, light), medium.Bounds);
   ASSERT_GT(cones.Cones().size(), 50u);
   ScatteringOptions options;
   options.Width = 64;
@@ -225,8 +170,8 @@ TEST(AgainstReferenceCones, RaysThroughCones)
     double begin = 0.0;
     double end = 0.0;
     const bool expected = ReferenceConeInterval(cone, length, origin, ray, 0.1, 6.0, begin, end, 6000);
-    RayInterval interval;
-    const bool found = IntersectCone(cone, length, origin, ray, 0.1, 6.0, interval);
+    OccluderInterval interval;
+    const bool found = IntersectCone(cone, length, { origin, ray }, { 0.1, 6.0 }, interval);
     if (expected)
     {
       ++met;

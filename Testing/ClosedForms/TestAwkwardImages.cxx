@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scenes that are easy to get wrong, in every mode: no value is NaN, and all modes find the image of brute force.
-#include "ImageTestScene.h"
+#include "ClosedForms.h"
+#include "Scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -28,7 +30,7 @@ ImageTestScene Plain(const Placement& place = Placements()[0])
   scene.Eye = LookAt(place({ -7.0, 0.3, 2.4 }), place({ 0.0, 0.0, 2.2 }), 0.35);
   scene.SetSize(11, 9);
   scene.Options.NumberOfSteps = 32;
-  scene.Options.MaximumDepth = 4;
+  scene.Options.MaximumHalvings = 4;
   scene.Options.NumberOfLightSamples = 64;
   scene.Options.NumberOfSurfaceLightSamples = 16;
   scene.Options.RelativeErrorGoal = 0.005;

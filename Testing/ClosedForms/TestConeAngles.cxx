@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The angles of fitted cones against closed forms 1 and 2.
+#include "Chain.h"
+#include "ClosedForms.h"
+#include "TestLights.h"
 #include "TestMeshes.h"
-#include "scConeSet.h"
-#include "scShadowVectors.h"
 
 #include <gtest/gtest.h>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -15,25 +17,12 @@ constexpr double Degree = closedforms::Pi / 180.0;
 /// Few, large cones from the photons of a light: as the filters make them.
 std::vector<Cone> FitCones(const TestMesh& mesh, const Light& light, int vectors)
 {
-  const OccluderScene scene(mesh.View());
-  ShadowVectorOptions tracing;
-  tracing.TargetNumberOfVectors = vectors;
-  tracing.Storage = VectorStorage::HitPoint;
-  ShadowVectorResult traced;
-  EXPECT_TRUE(TraceShadowVectors(scene, light, tracing, Monitor(), traced));
-  ShadowVectorView view;
-  view.Count = static_cast<vtkIdType>(traced.Vectors.OccluderIds.size());
-  view.Points = traced.Vectors.Points.data();
-  view.Directions = traced.Vectors.Directions.data();
-  view.EmissionPoints = traced.Vectors.EmissionPoints.data();
-  ConeSetOptions options;
-  options.NumberOfNeighbors = static_cast<int>(view.Count);
+  const ShadowVectorResult traced = TraceToHits(OccluderScene(mesh.View()), light, vectors);
+  ConeSetOptions options = BoundOptions();
+  options.NumberOfNeighbors = static_cast<int>(traced.Vectors.OccluderIds.size());
+  options.VarianceThreshold = ConeSetOptions().VarianceThreshold;
   options.PlanarityThreshold = 0.0;
-  options.CosineCorrection = false;
-  options.Expansion = ConeExpansion::LightGeometry;
-  options.Overlap = true;
-  ConeSet set;
-  EXPECT_TRUE(FitConeSet(view, PhotonPathView(), LightExtentOf(light), options, Monitor(), set));
+  const ConeSet set = Fit(traced, light, options);
   EXPECT_FALSE(set.Cones.empty());
   return set.Cones;
 }
@@ -44,11 +33,7 @@ TEST(ConeAngles, DiscUnderADisc)
   const double R = 0.5;
   const double r = 0.3;
   const double L = 2.0;
-  Light light;
-  light.Shape = LightShape::Disc;
-  light.Radius = R;
-  light.Spectrum = { 1.0 };
-  ASSERT_EQ(PrepareLight(light), nullptr);
+  const Light light = DiscLight({}, { 0.0, 0.0, 1.0 }, R, { 1.0 });
   double outer = 0.0;
   double inner = 0.0;
   PenumbraAngles(LightExtentOf(light), { 0.0, 0.0, L }, { 0.0, 0.0, 1.0 }, r, outer, inner);
@@ -66,11 +51,7 @@ TEST(ConeAngles, FittedConeOfADisc)
   const double R = 0.5;
   const double r = 0.3;
   const double L = 2.0;
-  Light light;
-  light.Shape = LightShape::Disc;
-  light.Radius = R;
-  light.Spectrum = { 1.0 };
-  ASSERT_EQ(PrepareLight(light), nullptr);
+  const Light light = DiscLight({}, { 0.0, 0.0, 1.0 }, R, { 1.0 });
   TestMesh mesh;
   mesh.AddDisc({ 0.0, 0.0, L }, r);
   for (const Cone& cone : FitCones(mesh, light, 400))
@@ -92,11 +73,7 @@ TEST(ConeAngles, SunAndEarth)
   const double R = 695700.0;
   const double r = 6371.0;
   const double D = 149597870.7;
-  Light light;
-  light.Shape = LightShape::Sphere;
-  light.Radius = R;
-  light.Spectrum = { 1.0 };
-  ASSERT_EQ(PrepareLight(light), nullptr);
+  const Light light = SphereLight({}, R, { 1.0 });
   double outer = 0.0;
   double inner = 0.0;
   PenumbraAngles(LightExtentOf(light), { 0.0, 0.0, D }, { 0.0, 0.0, 1.0 }, r, outer, inner);

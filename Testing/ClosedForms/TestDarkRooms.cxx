@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A closed room with a slit: a beam that can be written down, and black air beside it.
 #include "ClosedForms.h"
-#include "ImageTestScene.h"
+#include "Scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -24,8 +25,9 @@ ImageTestScene Room(bool slit)
   scene.SetLight(LightShape::Sun, {}, { 0.0, -1.0, 0.0 }, 0.0, { 2.0 });
   scene.SetMedium({ 0.3 }, { 0.1 }, { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 });
   const double w = 1.01;
-  const auto ceiling = [&scene](double x0, double x1, double z0, double z1)
-  { scene.Mesh.AddParallelogram({ x0, 1.01, z0 }, { x1 - x0, 0.0, 0.0 }, { 0.0, 0.0, z1 - z0 }); };
+  const auto ceiling = [&scene](double x0, double x1, double z0, double z1) {
+    scene.Mesh.AddSheet({ x0, 1.01, z0 }, { x1 - x0, 0.0, 0.0 }, { 0.0, 0.0, z1 - z0 });
+  };
   ceiling(-w, Low, -w, w);
   ceiling(High, w, -w, w);
   ceiling(Low, High, -w, -0.5);
@@ -34,11 +36,11 @@ ImageTestScene Room(bool slit)
   {
     ceiling(Low, High, -0.5, 0.5);
   }
-  scene.Mesh.AddParallelogram({ -w, -w, -w }, { 2.0 * w, 0.0, 0.0 }, { 0.0, 0.0, 2.0 * w });
+  scene.Mesh.AddSheet({ -w, -w, -w }, { 2.0 * w, 0.0, 0.0 }, { 0.0, 0.0, 2.0 * w });
   for (const double side : { -w, w })
   {
-    scene.Mesh.AddParallelogram({ side, -w, -w }, { 0.0, 2.02, 0.0 }, { 0.0, 0.0, 2.0 * w });
-    scene.Mesh.AddParallelogram({ -w, -w, side }, { 0.0, 2.02, 0.0 }, { 2.0 * w, 0.0, 0.0 });
+    scene.Mesh.AddSheet({ side, -w, -w }, { 0.0, 2.02, 0.0 }, { 0.0, 0.0, 2.0 * w });
+    scene.Mesh.AddSheet({ -w, -w, side }, { 0.0, 2.02, 0.0 }, { 2.0 * w, 0.0, 0.0 });
   }
   Cone everywhere;
   everywhere.Center = { 0.0, 1.01, 0.0 };

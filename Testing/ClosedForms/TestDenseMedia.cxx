@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Media from thin haze to ink, and lights that a ray passes ever so closely: against closed forms.
 #include "ClosedForms.h"
-#include "ImageTestScene.h"
+#include "Scenes.h"
 #include "scDensityGrid.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -102,7 +103,7 @@ TEST(DenseMedia, ShadowsOfTheSizeOfAMeanFreePath)
     ImageTestScene scene;
     scene.SetLight(LightShape::Sun, {}, { 0.0, -1.0, 0.0 }, 0.0, { Irradiance });
     scene.SetMedium({ 0.6 * sigma }, { 0.4 * sigma }, { 0.0, -1.0, -0.5 }, { 1.0, 0.0, 0.5 });
-    scene.Mesh.AddParallelogram({ 0.4 * path, 0.5 * path, -0.4 }, { 0.8 * path, 0.0, 0.0 }, { 0.0, 0.0, 0.8 });
+    scene.Mesh.AddSheet({ 0.4 * path, 0.5 * path, -0.4 }, { 0.8 * path, 0.0, 0.0 }, { 0.0, 0.0, 0.8 });
     scene.Eye = LookAt({ -1.0, -path, 0.0 }, { 1.0, -path, 0.0 }, 0.01 * path, true);
     scene.SetSize(3, 3);
     scene.Options.RelativeErrorGoal = 0.003;
@@ -133,7 +134,7 @@ TEST(DenseMedia, MarchesSayWhenTheirStepsAreThick)
   {
     ImageTestScene scene = Slab(0.0, { 0.7 * one.Sigma }, { 0.3 * one.Sigma });
     scene.Options.NumberOfSteps = one.Steps;
-    scene.Options.MaximumDepth = 0;
+    scene.Options.MaximumHalvings = 0;
     for (const ScatteringMode mode : { ScatteringMode::BruteForce, ScatteringMode::Medium, ScatteringMode::Fast })
     {
       const ScatteringImage image = scene.Render(mode);

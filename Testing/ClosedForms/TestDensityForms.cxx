@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images of inhomogeneous media against what can be written down: closed form 6 with a density, and media in boxes.
+#include "ClosedForms.h"
 #include "SampledDensity.h"
+#include "Scenes.h"
 #include "TestMeshes.h"
-#include "scConeIntervals.h"
+#include "scCone.h"
+#include "scConeHierarchy.h"
 #include "scDensityGrid.h"
+#include "scRenderScattering.h"
 #include "scScatteringImage.h"
+#include "scScatteringOptions.h"
 #include "scVisibilityGrid.h"
 
+#include "scFrame.h"
 #include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +21,7 @@
 #include <functional>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -51,7 +58,7 @@ struct Slab
     this->Fog.Bounds.Max = { length, 1.0, 1.0 };
     this->Fog.Density = density;
     this->Options.NumberOfSteps = 64;
-    this->Options.MaximumDepth = 6;
+    this->Options.MaximumHalvings = 6;
     this->Options.IntensityThreshold = 0.02;
     this->Options.NumberOfLightSamples = 1;
     this->Options.NumberOfSurfaceLightSamples = 0;
@@ -59,17 +66,14 @@ struct Slab
     this->Options.MaximumSamples = 1 << 16;
   }
   /// Darkness in [a, b] of x.
-  void Shadow(double a, double b)
-  {
-    this->Mesh.AddParallelogram({ a, 2.0, -2.0 }, { b - a, 0.0, 0.0 }, { 0.0, 0.0, 4.0 });
-  }
+  void Shadow(double a, double b) { this->Mesh.AddSheet({ a, 2.0, -2.0 }, { b - a, 0.0, 0.0 }, { 0.0, 0.0, 4.0 }); }
 
   /// One pixel: what a ray sees.
   ScatteringImage Look(ScatteringMode mode, const Vector3& from, const Vector3& to)
   {
     if (this->Mesh.Points.empty())
     {
-      this->Mesh.AddParallelogram({ 200.0, 200.0, 200.0 }, { 0.1, 0.0, 0.0 }, { 0.0, 0.1, 0.0 });
+      this->Mesh.AddSheet({ 200.0, 200.0, 200.0 }, { 0.1, 0.0, 0.0 }, { 0.0, 0.1, 0.0 });
     }
     const OccluderScene scene(this->Mesh.View());
     const Camera camera = LookAt(from, to, 1e-6, true);
@@ -114,8 +118,8 @@ struct Room
     this->Fog.SigmaA = { 0.05, 0.0 };
     this->Fog.Bounds.Min = { -2.0, -2.0, -2.0 };
     this->Fog.Bounds.Max = { 2.0, 1.9, 2.0 };
-    this->Mesh.AddParallelogram({ -0.7, 0.1, -0.5 }, { 1.2, 0.3, 0.0 }, { 0.0, 0.1, 1.1 });
-    this->Mesh.AddParallelogram({ -2.0, -1.9, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 4.0 });
+    this->Mesh.AddSheet({ -0.7, 0.1, -0.5 }, { 1.2, 0.3, 0.0 }, { 0.0, 0.1, 1.1 });
+    this->Mesh.AddSheet({ -2.0, -1.9, -2.0 }, { 4.0, 0.0, 0.0 }, { 0.0, 0.0, 4.0 });
     this->Options.NumberOfEdgeSamples = 1;
     this->Options.Width = 12;
     this->Options.Height = 12;
@@ -335,7 +339,7 @@ TEST(DensityForms, ALayerThinnerThanAStepCountsInFull)
   const DensityGrid grid = SampleAlongX(4001, 4.0, [&](double x) { return x > 1.7295 && x < 1.7505 ? dense : 0.0; });
   Slab slab(4.0, &grid);
   slab.Options.NumberOfSteps = 8;
-  slab.Options.MaximumDepth = 3;
+  slab.Options.MaximumHalvings = 3;
   // The sun comes from the side: its leg to the layer is empty, and within the layer as deep as the camera's.
   slab.Sun.Normal = { 1.0, 0.0, 0.0 };
   ASSERT_EQ(PrepareLight(slab.Sun), nullptr);
@@ -374,6 +378,7 @@ TEST(DensityForms, NoDensityIsNoMedium)
   }
 }
 
+// Guided and Volume in fog are cases of Testing/Invariants.
 TEST(DensityForms, TheSameBytesForAnyNumberOfThreads)
 {
   const DensityGrid grid = SampleDensity({ { 17, 17, 17 } }, { -2.0, -2.0, -2.0 }, UnitAxes({ 0.25, 0.25, 0.25 }),
@@ -383,7 +388,8 @@ TEST(DensityForms, TheSameBytesForAnyNumberOfThreads)
   room.Options.NumberOfSteps = 16;
   room.Options.Width = room.Options.Height = 6;
   room.Options.Extent = { 0, 5, 0, 5 };
-  for (const ScatteringMode mode : Modes)
+  for (const ScatteringMode mode :
+    { ScatteringMode::BruteForce, ScatteringMode::Medium, ScatteringMode::Fast, ScatteringMode::Soft })
   {
     const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
     vtkSMPTools::Initialize(1);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed forms 5, 6, 7, 9 and 10 as a user meets them: vtkAreaLightSource and vtkScatteringImageFilter in brute force.
-#include "TestMeshes.h"
+#include "ClosedForms.h"
+#include "FilterChain.h"
+#include "Scenes.h"
+#include "TestPolyData.h"
 
 #include "vtkAreaLightSource.h"
-#include "vtkConeSetFilter.h"
-#include "vtkLabelOccluders.h"
 #include "vtkScatteringImageFilter.h"
-#include "vtkShadowVectorFilter.h"
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
@@ -25,36 +25,11 @@
 #include <cstring>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
 constexpr double Tolerance = 0.01;
-
-vtkSmartPointer<vtkPolyData> ToPolyData(const TestMesh& mesh)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (std::size_t k = 0; k < mesh.Points.size(); k += 3)
-  {
-    points->InsertNextPoint(mesh.Points.data() + k);
-  }
-  vtkNew<vtkCellArray> polygons;
-  for (std::size_t k = 0; k < mesh.Triangles.size(); k += 3)
-  {
-    polygons->InsertNextCell(3, mesh.Triangles.data() + k);
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetPolys(polygons);
-  return data;
-}
-
-TestMesh OutOfTheWay()
-{
-  TestMesh mesh;
-  mesh.AddParallelogram({ 200.0, 200.0, 200.0 }, { 0.1, 0.0, 0.0 }, { 0.0, 0.1, 0.0 });
-  return mesh;
-}
 
 /// A filter at a test's sample counts, and what its pixels see.
 class Picture
@@ -152,7 +127,7 @@ TEST(FilterForms, SunOnASlab)
   TestMesh mesh;
   for (const auto& part : shadowed)
   {
-    mesh.AddParallelogram({ part.first, 2.0, -2.0 }, { part.second - part.first, 0.0, 0.0 }, { 0.0, 0.0, 4.0 });
+    mesh.AddSheet({ part.first, 2.0, -2.0 }, { part.second - part.first, 0.0, 0.0 }, { 0.0, 0.0, 4.0 });
   }
   const int size = 4;
   Picture picture(ToPolyData(mesh), light->GetOutputPort(), size);
@@ -194,24 +169,16 @@ TEST(FilterForms, FurnaceOfAllModes)
   light->SetCenter(0.0, 5.0, 0.0);
   light->SetNormal(0.0, -1.0, 0.0);
   TestMesh mesh;
-  mesh.AddParallelogram({ 20.0, 3.0, -0.5 }, { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
-  vtkNew<vtkLabelOccluders> occluders;
-  occluders->SetInputData(ToPolyData(mesh));
-  vtkNew<vtkShadowVectorFilter> vectors;
-  vectors->SetToPaper();
-  vectors->SetInputConnection(occluders->GetOutputPort());
-  vectors->SetLightConnection(light->GetOutputPort());
-  vectors->SetTargetNumberOfVectors(500);
-  vtkNew<vtkConeSetFilter> cones;
-  cones->SetToPaper();
-  cones->SetInputConnection(vectors->GetOutputPort());
+  mesh.AddSheet({ 20.0, 3.0, -0.5 }, { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 });
+  light->Update();
+  FilterChain chain(ToPolyData(mesh), light->GetOutput(), 500);
+  chain.Update();
   Picture picture(nullptr, light->GetOutputPort(), 6);
-  picture.Filter->SetInputConnection(occluders->GetOutputPort());
-  picture.Filter->SetConeSetConnection(cones->GetOutputPort());
+  picture.Filter->SetInputConnection(chain.Labels->GetOutputPort());
+  picture.Filter->SetConeSetConnection(chain.Cones->GetOutputPort());
   picture.Look({ -6.0, 2.5, 0.0 }, { 0.0, 2.5, 0.0 });
   picture.Bounds({ -2.0, 0.0, -2.0 }, { 2.0, 4.5, 2.0 });
-  cones->Update();
-  ASSERT_GT(cones->GetOutput()->GetNumberOfPoints(), 0);
+  ASSERT_GT(chain.Cones->GetOutput()->GetNumberOfPoints(), 0);
 
   vtkNew<vtkImageData> brute;
   picture.InScattering();
@@ -254,7 +221,7 @@ TEST(FilterForms, FarVertexAndSunCastTheSameHardShadow)
   sun->SetRadiance(2.0);
 
   TestMesh mesh;
-  mesh.AddParallelogram({ -0.5, 2.0, -0.7 }, { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.4 });
+  mesh.AddSheet({ -0.5, 2.0, -0.7 }, { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.4 });
   Picture picture(ToPolyData(mesh), sun->GetOutputPort(), 12);
   picture.Look({ -6.0, 1.5, 0.0 }, { 0.0, 1.0, 0.0 });
   picture.Bounds({ -1.0, 0.0, -1.0 }, { 1.0, 1.9, 1.0 });

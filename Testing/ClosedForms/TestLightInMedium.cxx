@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A light in the middle of the medium, in view: Guided against closed form 5 and the reference, with smaller goals.
-#include "ImageTestScene.h"
+#include "ClosedForms.h"
+#include "Scenes.h"
 #include "scReference.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -28,7 +30,7 @@ ImageTestScene SceneAround(LightShape shape)
   scene.Source.Spectrum = { 2.0, 1.0 };
   EXPECT_EQ(PrepareLight(scene.Source), nullptr);
   scene.SetMedium({ 0.15, 0.25 }, { 0.05, 0.15 }, { -2.0, -2.0, -2.0 }, { 2.0, 2.0, 2.0 });
-  scene.Mesh.AddParallelogram({ -0.5, -0.6, -0.5 }, { 0.9, 0.1, 0.0 }, { 0.0, 0.1, 0.9 });
+  scene.Mesh.AddSheet({ -0.5, -0.6, -0.5 }, { 0.9, 0.1, 0.0 }, { 0.0, 0.1, 0.9 });
   scene.Eye = LookAt({ 0.4, -0.3, 5.0 }, { 0.0, -0.2, 0.0 }, 0.3);
   scene.SetSize(Size, Size);
   scene.Options.MaximumSamples = 1 << 17;

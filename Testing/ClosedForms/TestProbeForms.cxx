@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The probe against closed forms 1 to 4, Exact and Soft, and the Earth's shadow: far away and under tiny angles.
+#include "Chain.h"
+#include "ClosedForms.h"
 #include "TestMeshes.h"
 
-#include "scConeSet.h"
-#include "scShadowVectors.h"
+#include "scShadowClass.h"
 #include "scVisibilityProbe.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 #include <utility>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -90,22 +92,7 @@ public:
   {
     this->Mesh.Place(place);
     this->Occluders = std::make_unique<OccluderScene>(this->Mesh.View());
-    ShadowVectorOptions options;
-    options.TargetNumberOfVectors = 20000;
-    options.Storage = VectorStorage::HitPoint;
-    ShadowVectorResult traced;
-    EXPECT_TRUE(TraceShadowVectors(*this->Occluders, light, options, {}, traced));
-    const ShadowVectors& found = traced.Vectors;
-    const ShadowVectorView view{ static_cast<vtkIdType>(found.OccluderIds.size()), found.Points.data(),
-      found.Directions.data(), found.EmissionPoints.data(), found.OccluderIds.data() };
-    ConeSetOptions fit;
-    fit.CosineCorrection = false;
-    fit.Overlap = true;
-    fit.Expansion = ConeExpansion::LightGeometry;
-    fit.VarianceThreshold = 1.8;
-    ConeSet bounds;
-    EXPECT_TRUE(FitConeSet(view, {}, LightExtentOf(light), fit, {}, bounds));
-    this->Bounds = bounds.Cones;
+    this->Bounds = BoundingCones(*this->Occluders, light);
     for (Cone& disc : this->Discs)
     {
       disc.Center = place(disc.Center);
@@ -201,7 +188,7 @@ TEST(ProbeForms, RectangleBehindRectangle)
   for (const Placement& place : Placements())
   {
     TestMesh mesh;
-    mesh.AddParallelogram({ -0.5, -0.4, L }, { 1.0, 0.0, 0.0 }, { 0.0, 0.8, 0.0 });
+    mesh.AddSheet({ -0.5, -0.4, L }, { 1.0, 0.0, 0.0 }, { 0.0, 0.8, 0.0 });
     Scene scene(mesh, Tiles(L, { { -0.5, -0.4, L }, { 0.5, 0.4, L } }, [](double, double) { return true; }),
       MakeLight(LightShape::Rectangle, 1.0, place), place);
     scene.Compare(Across({ 3.0, 6.0 }, [&](double z) { return 0.5 + 0.55 * (z - L); }),
@@ -217,7 +204,7 @@ TEST(ProbeForms, StraightEdge)
   for (const Placement& place : Placements())
   {
     TestMesh mesh;
-    mesh.AddParallelogram({ -1.5, -1.0, L }, { 1.5, 0.0, 0.0 }, { 0.0, 2.0, 0.0 });
+    mesh.AddSheet({ -1.5, -1.0, L }, { 1.5, 0.0, 0.0 }, { 0.0, 2.0, 0.0 });
     Scene scene(mesh, Tiles(L, { { -1.5, -1.0, L }, { 0.0, 1.0, L } }, [](double, double) { return true; }),
       MakeLight(LightShape::Disc, R, place), place);
     std::vector<Vector3> points;

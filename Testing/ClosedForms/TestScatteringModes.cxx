@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed forms 5 to 9 in every mode that computes light: every pixel within 0.5 %.
-#include "ImageTestScene.h"
+#include "ClosedForms.h"
+#include "Scenes.h"
+#include "scRandom.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +14,7 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -162,37 +165,42 @@ TEST(ScatteringModes, SunBehindDiscs)
 {
   const double irradiance = 5.0;
   const double S = 4.0;
-  ImageTestScene scene;
-  scene.SetLight(LightShape::Sun, {}, { 0.0, 0.0, -1.0 }, 0.0, { irradiance, irradiance });
-  scene.SetMedium({ 0.5, 0.2 }, { 0.1, 1.0 }, { 0.0, -1.0, 0.0 }, { S, 1.0, 1.0 });
   const double discs[2][3] = { { 0.9, 0.1, 0.5 }, { 2.7, -0.2, 0.7 } }; // x, y, radius
-  for (const double* disc : discs)
+  for (const Placement& place : { Placements()[0], Placements()[1] })
   {
-    scene.AddDisc({ disc[0], disc[1], 1.5 }, disc[2], { 0.0, 0.0, -1.0 }, 0.0);
-  }
-  scene.Eye = LookAt({ -1.0, 0.0, 0.5 }, { 1.0, 0.0, 0.5 }, 0.3, true);
-  scene.SetSize(5, 5);
-  scene.GridOptions.Dimensions = { 129, 65, 5 };
-  scene.GridOptions.BrickParts = 4;
-  int shadowed = 0;
-  ExpectEveryMode(scene,
-    [&](const Ray& ray, std::size_t k)
+    SCOPED_TRACE(place.Name);
+    ImageTestScene scene;
+    scene.SetLight(LightShape::Sun, {}, { 0.0, 0.0, -1.0 }, 0.0, { irradiance, irradiance });
+    scene.SetMedium({ 0.5, 0.2 }, { 0.1, 1.0 }, place({ 0.0, -1.0, 0.0 }), place({ S, 1.0, 1.0 }));
+    for (const double* disc : discs)
     {
-      std::vector<std::pair<double, double>> dark;
-      for (const double* disc : discs)
+      scene.AddDisc(place({ disc[0], disc[1], 1.5 }), disc[2], { 0.0, 0.0, -1.0 }, 0.0);
+    }
+    scene.Eye = LookAt(place({ -1.0, 0.0, 0.5 }), place({ 1.0, 0.0, 0.5 }), 0.3, true);
+    scene.SetSize(5, 5);
+    scene.GridOptions.Dimensions = { 129, 65, 5 };
+    scene.GridOptions.BrickParts = 4;
+    int shadowed = 0;
+    ExpectEveryMode(scene,
+      [&](const Ray& ray, std::size_t k)
       {
-        const double y = ray.Origin.Y - disc[1];
-        const double half = std::sqrt(std::max(disc[2] * disc[2] - y * y, 0.0));
-        if (half > 0.0)
+        const Vector3 at = ray.Origin - place({});
+        std::vector<std::pair<double, double>> dark;
+        for (const double* disc : discs)
         {
-          dark.push_back({ disc[0] - half, disc[0] + half });
+          const double y = at.Y - disc[1];
+          const double half = std::sqrt(std::max(disc[2] * disc[2] - y * y, 0.0));
+          if (half > 0.0)
+          {
+            dark.push_back({ disc[0] - half, disc[0] + half });
+          }
         }
-      }
-      shadowed += static_cast<int>(dark.size());
-      return closedforms::SlabRadiance(
-        scene.Fog.SigmaS[k], scene.Fog.SigmaS[k] + scene.Fog.SigmaA[k], irradiance, ray.Origin.Z, S, dark);
-    });
-  EXPECT_GT(shadowed, 2 * 25) << "of two discs, 25 pixels and 2 wavelengths";
+        shadowed += static_cast<int>(dark.size());
+        return closedforms::SlabRadiance(
+          scene.Fog.SigmaS[k], scene.Fog.SigmaS[k] + scene.Fog.SigmaA[k], irradiance, at.Z, S, dark);
+      });
+    EXPECT_GT(shadowed, 2 * 25) << "of two discs, 25 pixels and 2 wavelengths";
+  }
 }
 
 TEST(ScatteringModes, SolidAngleOfADisc)
@@ -330,8 +338,63 @@ TEST(ScatteringModes, AnUnoccludedSceneIsTheSameInEveryMode)
   {
     EXPECT_NEAR(smooth.InScattering[k], brute.InScattering[k], Tolerance * brute.InScattering[k]) << "value " << k;
   }
+  EXPECT_GT(brute.NumberOfOcclusionRays, 0);
   for (const ScatteringMode mode : { ScatteringMode::Medium, ScatteringMode::Fast })
   {
-    EXPECT_EQ(scene.Render(mode).InScattering, brute.InScattering) << NameOf(mode);
+    const ScatteringImage image = scene.Render(mode);
+    EXPECT_EQ(image.InScattering, brute.InScattering) << NameOf(mode);
+    EXPECT_EQ(image.Transmittance, brute.Transmittance) << NameOf(mode);
+    EXPECT_EQ(image.NumberOfOcclusionRays, 0) << NameOf(mode);
   }
+}
+
+TEST(ScatteringModes, FarVertexAndSunCastTheSameHardShadow)
+{
+  const double far = 1e6;
+  const double irradiance = 2.0;
+  Light lamp;
+  lamp.Shape = LightShape::Mesh;
+  lamp.Spectrum = { irradiance * far * far };
+  lamp.Vertices = { { 0.0, far, 0.0 } };
+  const Light vertex = Prepared(lamp);
+  const Light sun = SunLight({ 0.0, -1.0, 0.0 }, 0.0, { irradiance });
+
+  ImageTestScene scene;
+  scene.Mesh.AddSheet({ -0.5, 2.0, -0.7 }, { 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.4 });
+  const OccluderScene occluders(scene.Mesh.View());
+  int blocked = 0;
+  for (int k = 0; k < 1000; ++k)
+  {
+    RandomStream random(3, static_cast<std::uint64_t>(k));
+    const Vector3 x{ 2.0 * random.Next() - 1.0, 2.0 * random.Next(), 2.0 * random.Next() - 1.0 };
+    if (std::abs(std::abs(x.X) - 0.5) < 1e-4 || std::abs(std::abs(x.Z) - 0.7) < 1e-4)
+    {
+      continue;
+    }
+    const double expected = std::abs(x.X) < 0.5 && std::abs(x.Z) < 0.7 ? 0.0 : 1.0;
+    for (const Light* light : { &vertex, &sun })
+    {
+      const IncidentSample sample = SampleVisibleLight(*light, x, random.Next(), random.Next());
+      ASSERT_EQ(sample.Weight, 1.0);
+      EXPECT_EQ(occluders.Occluded(x, sample.Direction, 0.0, sample.Distance) ? 0.0 : 1.0, expected);
+    }
+    blocked += expected == 0.0;
+  }
+  EXPECT_GT(blocked, 200);
+
+  scene.SetMedium({ 0.1 }, { 0.05 }, { -1.0, 0.0, -1.0 }, { 1.0, 1.9, 1.0 });
+  scene.Eye = LookAt({ -6.0, 1.5, 0.0 }, { 0.0, 1.0, 0.0 }, 0.3);
+  scene.SetSize(16, 16);
+  scene.Source = vertex;
+  const ScatteringImage ofVertex = scene.Render(ScatteringMode::BruteForce);
+  scene.Source = sun;
+  const ScatteringImage ofSun = scene.Render(ScatteringMode::BruteForce);
+  double difference = 0.0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < ofSun.InScattering.size(); ++k)
+  {
+    difference += std::fabs(static_cast<double>(ofVertex.InScattering[k]) - ofSun.InScattering[k]);
+    sum += ofSun.InScattering[k];
+  }
+  EXPECT_LT(difference, 1e-4 * sum);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed forms 1 and 2 as solids: volumes of penumbra and umbra behind a disc and a sphere, through the chain.
-#include "TestMeshes.h"
+#include "ClosedForms.h"
+#include "TestPolyData.h"
 
 #include "vtkAreaLightSource.h"
 #include "vtkConeSetFilter.h"
@@ -8,10 +9,8 @@
 #include "vtkShadowVectorFilter.h"
 #include "vtkShadowVolume.h"
 
-#include "vtkCellArray.h"
 #include "vtkMassProperties.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
@@ -19,6 +18,7 @@
 #include <algorithm>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -47,22 +47,8 @@ double VolumeOf(vtkPolyData* surface)
 /// Volumes from z0 to z1, of cones that are bounds: 20,000 vectors, few and large cones.
 Volumes MeasuredVolumes(const TestMesh& mesh, vtkAreaLightSource* light, double z0, double z1)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (std::size_t k = 0; k < mesh.Points.size(); k += 3)
-  {
-    points->InsertNextPoint(mesh.Points.data() + k);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (std::size_t k = 0; k < mesh.Triangles.size(); k += 3)
-  {
-    triangles->InsertNextCell(3, mesh.Triangles.data() + k);
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetPolys(triangles);
   vtkNew<vtkLabelOccluders> occluders;
-  occluders->SetInputData(data);
+  occluders->SetInputData(ToPolyData(mesh));
   vtkNew<vtkShadowVectorFilter> vectors;
   vectors->SetToPaper();
   vectors->SetInputConnection(occluders->GetOutputPort());

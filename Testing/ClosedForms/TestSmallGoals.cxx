@@ -10,6 +10,7 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -33,12 +34,12 @@ struct GoalScene : ImageTestScene
     {
       for (int k = 0; k < 9; ++k)
       {
-        this->Mesh.AddParallelogram({ -1.2 + 0.27 * k, 1.9, -1.3 }, { 0.13, 0.06, 0.0 }, { 0.0, 0.1, 2.6 });
+        this->Mesh.AddSheet({ -1.2 + 0.27 * k, 1.9, -1.3 }, { 0.13, 0.06, 0.0 }, { 0.0, 0.1, 2.6 });
       }
     }
     else if (name == "box")
     {
-      this->AddBox({ -0.7, 0.6, -0.6 }, { 0.9, 1.7, 0.5 });
+      this->Mesh.AddBox({ -0.7, 0.6, -0.6 }, { 0.9, 1.7, 0.5 });
     }
     else // "terrain"
     {
@@ -54,22 +55,12 @@ struct GoalScene : ImageTestScene
           const vtkIdType along = this->Mesh.AddPoint({ x + h, height(x + h, z), z });
           const vtkIdType across = this->Mesh.AddPoint({ x, height(x, z + h), z + h });
           const vtkIdType opposite = this->Mesh.AddPoint({ x + h, height(x + h, z + h), z + h });
-          this->Mesh.AddTriangle(corner, across, along);
-          this->Mesh.AddTriangle(opposite, along, across);
+          this->Mesh.AddTriangle(corner, across, along, 0);
+          this->Mesh.AddTriangle(opposite, along, across, 0);
         }
       }
-      this->AddBox({ -1.0, 1.6, -1.0 }, { -0.2, 1.7, 0.9 });
+      this->Mesh.AddBox({ -1.0, 1.6, -1.0 }, { -0.2, 1.7, 0.9 });
     }
-  }
-  void AddBox(const Vector3& low, const Vector3& high)
-  {
-    const Vector3 s = high - low;
-    this->Mesh.AddParallelogram(low, { s.X, 0.0, 0.0 }, { 0.0, 0.0, s.Z });
-    this->Mesh.AddParallelogram(low, { 0.0, s.Y, 0.0 }, { s.X, 0.0, 0.0 });
-    this->Mesh.AddParallelogram(low, { 0.0, 0.0, s.Z }, { 0.0, s.Y, 0.0 });
-    this->Mesh.AddParallelogram(high, { 0.0, 0.0, -s.Z }, { -s.X, 0.0, 0.0 });
-    this->Mesh.AddParallelogram(high, { -s.X, 0.0, 0.0 }, { 0.0, -s.Y, 0.0 });
-    this->Mesh.AddParallelogram(high, { 0.0, -s.Y, 0.0 }, { 0.0, 0.0, -s.Z });
   }
 };
 

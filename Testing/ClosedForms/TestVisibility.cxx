@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The visible fraction of the light against closed forms 1 to 4, at the origin, 1e6 away and 1e-3 small.
+#include "ClosedForms.h"
+#include "SampledVisibility.h"
+#include "TestLights.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -12,25 +16,7 @@ constexpr double Tolerance = 0.005;
 
 Light DiscLight(double radius, const Placement& place)
 {
-  Light light;
-  light.Shape = LightShape::Disc;
-  light.Center = place({});
-  light.Normal = { 0.0, 0.0, 1.0 };
-  light.Radius = radius * place.Scale;
-  light.Spectrum = { 1.0 };
-  EXPECT_EQ(PrepareLight(light), nullptr);
-  return light;
-}
-
-Light SphereLight(double radius, const Vector3& center)
-{
-  Light light;
-  light.Shape = LightShape::Sphere;
-  light.Center = center;
-  light.Radius = radius;
-  light.Spectrum = { 1.0 };
-  EXPECT_EQ(PrepareLight(light), nullptr);
-  return light;
+  return testsupport::DiscLight(place({}), { 0.0, 0.0, 1.0 }, radius * place.Scale, { 1.0 });
 }
 } // namespace
 
@@ -121,7 +107,7 @@ TEST(Visibility, PolygonsAsALightMatchTheRectangle)
   const double B = 0.3;
   const double L = 2.0;
   TestMesh mesh;
-  mesh.AddParallelogram({ -0.2, -0.2, L }, { 0.4, 0.0, 0.0 }, { 0.0, 0.4, 0.0 });
+  mesh.AddSheet({ -0.2, -0.2, L }, { 0.4, 0.0, 0.0 }, { 0.0, 0.4, 0.0 });
   const OccluderScene scene(mesh.View());
   Light light;
   light.Shape = LightShape::Mesh;
@@ -145,7 +131,7 @@ TEST(Visibility, SphereBehindSphere)
   const double D = 6.0;
   for (const Placement& place : Placements())
   {
-    const Light light = SphereLight(R * place.Scale, place({}));
+    const Light light = SphereLight(place({}), R * place.Scale, { 1.0 });
     for (const double r : { 0.4, 1.0, 1.5 })
     {
       TestMesh mesh;
@@ -207,7 +193,7 @@ TEST(Visibility, SunAndEarth)
   const double umbra = closedforms::SphereUmbraLength(R, r, D);
   EXPECT_NEAR(umbra, 1382632.0, 1.0);
 
-  const Light light = SphereLight(R, {});
+  const Light light = SphereLight({}, R, { 1.0 });
   TestMesh mesh;
   mesh.AddSphere({ 0.0, 0.0, D }, r);
   const OccluderScene scene(mesh.View());
@@ -245,7 +231,7 @@ TEST(Visibility, RectangleBehindRectangle)
     const double a = 0.25;
     const double b = 0.4;
     TestMesh mesh;
-    mesh.AddParallelogram({ -a, -b, L }, { 2.0 * a, 0.0, 0.0 }, { 0.0, 2.0 * b, 0.0 });
+    mesh.AddSheet({ -a, -b, L }, { 2.0 * a, 0.0, 0.0 }, { 0.0, 2.0 * b, 0.0 });
     mesh.Place(place);
     const OccluderScene scene(mesh.View());
     int partial = 0;
@@ -272,7 +258,7 @@ TEST(Visibility, StraightEdge)
   {
     const Light light = DiscLight(R, place);
     TestMesh mesh;
-    mesh.AddParallelogram({ -50.0, -50.0, L }, { 50.0, 0.0, 0.0 }, { 0.0, 100.0, 0.0 });
+    mesh.AddSheet({ -50.0, -50.0, L }, { 50.0, 0.0, 0.0 }, { 0.0, 100.0, 0.0 });
     mesh.Place(place);
     const OccluderScene scene(mesh.View());
     for (const double z : { 2.2, 3.0, 6.0 })

@@ -11,6 +11,7 @@
 #include <cmath>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole small images of the fast modes, with everything in them at once, against the slow reference.
-#include "ImageTestScene.h"
 #include "SampledDensity.h"
+#include "Scenes.h"
 #include "scReference.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +11,7 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 namespace
 {
@@ -36,7 +37,7 @@ struct Shafts : ImageTestScene
     // Half angles that hold the shadow also beside the axis.
     this->AddDisc({ 0.3, 0.0, 0.8 }, 0.5, { 0.0, 0.0, -1.0 }, std::atan((0.5 + 0.5 + 0.3) / 1.5));
     this->AddDisc({ -0.7, 0.3, -0.2 }, 0.35, { 0.0, 0.0, -1.0 }, std::atan((0.5 + 0.35 + 0.8) / 2.5));
-    this->Mesh.AddParallelogram({ -2.0, -2.0, -1.9 }, { 4.0, 0.0, 0.0 }, { 0.0, 4.0, 0.0 });
+    this->Mesh.AddSheet({ -2.0, -2.0, -1.9 }, { 4.0, 0.0, 0.0 }, { 0.0, 4.0, 0.0 });
     this->Eye = LookAt({ 0.2, -7.0, 1.1 }, { 0.0, 0.0, 0.0 }, 0.3);
     this->SetSize(Side, Side);
     this->Options.NumberOfSurfaceLightSamples = 256;

@@ -5,6 +5,7 @@ import os
 import re
 import sys
 
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 SKIPPED_FOLDERS = {".git", "__pycache__", "build", "output"}
 
 
@@ -69,7 +70,7 @@ def installed_headers(root):
 
 def main(faults):
     """Run a check on the tree named on the command line, by default the one that this file is in."""
-    root = sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+    root = sys.argv[1] if len(sys.argv) > 1 else ROOT
     found = list(faults(root))
     for fault in found:
         print(fault)

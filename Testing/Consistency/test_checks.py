@@ -7,22 +7,31 @@ import sys
 import tempfile
 import types
 import unittest
+from unittest import mock
 
 import check_classes
 import check_core_includes
 import check_data
 import check_defaults
 import check_help
+import check_house
 import check_installed_headers
 import check_licence
 import check_links
 import check_messages
+import check_named_paths
 import check_paths
 import check_presets
 import check_rooms
 import check_snippets
+import count_duplicates
+import house_numbers
 import numpy as np
+import sourcetree
 from vtkmodules.util.numpy_support import numpy_to_vtk
+
+sys.path.append(os.path.join(sourcetree.ROOT, "Utilities"))
+import compare_builds  # noqa: E402: lies where users look for it
 
 LICENCE = "// SPDX-License-Identifier: BSD-3-Clause\n"
 CMAKE = "# SPDX-License-Identifier: BSD-3-Clause\n"
@@ -94,8 +103,8 @@ class Thing:
         return (0.0, 1.0)
 
 
-CHECKS = (check_classes, check_core_includes, check_installed_headers, check_licence, check_links, check_paths,
-          check_rooms)
+CHECKS = (check_classes, check_core_includes, check_house, check_installed_headers, check_licence, check_links,
+          check_named_paths, check_paths, check_rooms)
 
 
 class TestChecks(unittest.TestCase):
@@ -116,6 +125,100 @@ class TestChecks(unittest.TestCase):
         for name in ("vtkPolyData.h", "vtkInformation.h", "vtkAlgorithm.h"):
             changes = {"Modules/Core/Base/scRay.h": LICENCE + f'#include "{name}"\n'}
             self.assertEqual(len(self.faults(check_core_includes, changes)), 1, name)
+
+    def test_core_tests(self):
+        test, support = "Modules/Core/Testing/Cxx/Mesh/TestInside.cxx", "Testing/Support/"
+        sound = {test: LICENCE + '#include "TestMeshes.h"\n#include "vtkSMPTools.h"\n',
+                 support + "TestMeshes.h": LICENCE + '#include "scRay.h"\n',
+                 support + "TestPolyData.h": LICENCE + '#include "vtkPolyData.h"\n'}
+        self.assertEqual(self.faults(check_core_includes, sound), [])
+        through = {support + "TestMeshes.h": LICENCE + '#include "TestPolyData.h"\n'}
+        for changes in (through, {test: LICENCE + '#include "TestPolyData.h"\n'}):
+            self.assertEqual(len(self.faults(check_core_includes, {**sound, **changes})), 1, changes)
+
+    def test_house(self):
+        path = "Modules/Core/Mesh/scInside.cxx"
+        lines = "".join(f"int a{k} = {k};\n" for k in range(600))
+        self.assertEqual(len(self.faults(check_house, {path: LICENCE + lines})), 1)
+        self.assertEqual(self.faults(check_house, {path: LICENCE + lines[:lines.rindex("int")]}), [])
+        for head in ("// One file because it is a test.\n", "/**\n * One file because it is.\n */\n"):
+            self.assertEqual(self.faults(check_house, {path: LICENCE + head + lines}), [], head)
+        self.assertEqual(len(self.faults(check_house, {path: LICENCE + lines + "// One file because it is.\n"})), 1)
+        code = "".join(f"  a({k}); // the {k}th\n\n" for k in range(6))
+        again = "/* once\n more */\n" + code.replace("  a", "a").replace("//", "/// ")
+        twice = {"Modules/Core/Mesh/scInside.cxx": LICENCE + "{\n" + code + "}\n",
+                 "Testing/Support/Inside.h": LICENCE + "#include <a>\n" + again}
+        with mock.patch.object(check_house, "RUNS", 0):
+            self.assertEqual(len(self.faults(check_house, twice)), 1)
+            other = {**twice, "Testing/Support/Inside.h": again.replace("a(5)", "b(5)")}
+            self.assertEqual(self.faults(check_house, other), [])
+        self.assertEqual(self.faults(check_house, twice), [])
+
+    def test_duplicates_count_every_place_once(self):
+        code = "".join(f"a({k});\n" for k in range(20))
+        files = {f"Testing/{name}.cxx": code for name in "abc"}
+        with tempfile.TemporaryDirectory() as root:
+            os.makedirs(os.path.join(root, "Testing"))
+            for path, content in files.items():
+                with open(os.path.join(root, path), "w", encoding="utf-8") as stream:
+                    stream.write(content)
+            self.assertEqual([run[0] for run in count_duplicates.duplicates(root)], [20, 20])
+
+    def test_numbers(self):
+        source = LICENCE + """
+namespace a
+{
+struct B
+{
+  void One(int x, std::pair<int, int> y) const
+  {
+    if (x)
+    {
+      f(1, 2, 3);
+    }
+  }
+  B()
+    : C(1, 2)
+  {
+  }
+};
+} // namespace a
+
+int Long(
+  int a,
+  int b, int c)
+{
+  return 1;
+}
+"""
+        with tempfile.TemporaryDirectory() as root:
+            os.makedirs(os.path.join(root, "Modules", "Core"))
+            with open(os.path.join(root, "Modules", "Core", "a.cxx"), "w", encoding="utf-8") as stream:
+                stream.write(source)
+            found = [(lines, count) for _, _, lines, count in house_numbers.functions(root)]
+        self.assertEqual(found, [(7, 2), (4, 0), (6, 3)])
+
+    def test_named_paths(self):
+        sound = {"CONTRIBUTING.md": "Look at `Modules/Core/README.md`, `Modules/Core/Base/`, `Modules/Filters/vtkNewThing.h`.\n"}
+        self.assertEqual(self.faults(check_named_paths, sound), [])
+        for name in ("Modules/Core/Base/scGone.h", "Testing/Nowhere"):
+            self.assertEqual(len(self.faults(check_named_paths, {"CONTRIBUTING.md": f"Look at `{name}`.\n"})), 1, name)
+
+    def test_compared_tables(self):
+        table = "name     cones  fit s   error\nchair, a     3   0.25  0.1000\n# 1 pixel\n"
+        other = table.replace("0.25", "9.75")
+        self.assertEqual(list(compare_builds.without_columns(table, ["fit s"])),
+                         list(compare_builds.without_columns(other, ["fit s"])))
+        for old, new in (("0.1000", "0.1001"), ("  3", "  4"), ("1 pixel", "2 pixel")):
+            self.assertNotEqual(list(compare_builds.without_columns(table, ["fit s"])),
+                                list(compare_builds.without_columns(table.replace(old, new), ["fit s"])), new)
+
+    def test_compared_figures(self):
+        speed = [{"modes": [{"error": 0.5, "frame": {"seconds": 1.0, "processor_seconds": 2.0}}], "at_equal_error": [{"met": True}]}]
+        other = [{"modes": [{"error": 0.5, "frame": {"seconds": 3.0, "processor_seconds": 4.0}}], "at_equal_error": []}]
+        self.assertEqual(compare_builds.figures(speed), compare_builds.figures(other))
+        other[0]["modes"][0]["error"] = 0.6
+        self.assertNotEqual(compare_builds.figures(speed), compare_builds.figures(other))
 
     def test_rooms(self):
         inside, cone = "Modules/Core/Mesh/scInside.h", "Modules/Core/Cones/scCone.cxx"

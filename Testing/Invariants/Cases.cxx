@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cases.h"
 
-#include "scConeData.h"
+#include "TestPolyData.h"
+
 #include "scFieldArrays.h"
 #include "vtkAreaLightSource.h"
 #include "vtkConeSetAccuracy.h"
@@ -22,7 +23,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +32,8 @@ namespace invariants
 {
 namespace
 {
+
+using namespace shadowcones::testsupport;
 
 /// Copy of an output, without its pipeline.
 vtkSmartPointer<vtkPolyData> Take(vtkAlgorithm* filter, int port = 0)
@@ -167,9 +169,7 @@ vtkSmartPointer<vtkPolyData> ManyCones(int count)
     cone.HalfAngle = 0.1 * std::sin(0.1 * i);
     cone.OccluderId = i % 7;
   }
-  auto set = vtkSmartPointer<vtkPolyData>::New();
-  shadowcones::WriteConeSet(cones, set);
-  return set;
+  return ConeSetOf(cones);
 }
 
 Setting AreaLight(Size)
@@ -196,7 +196,7 @@ Setting ShadowVectors(Size size, bool target, bool hitPoint)
 {
   auto filter = vtkSmartPointer<vtkShadowVectorFilter>::New();
   filter->SetToPaper();
-  filter->SetStorage(hitPoint ? vtkShadowVectorFilter::HIT_POINT : vtkShadowVectorFilter::BACK_SIDE);
+  filter->SetStorage(hitPoint ? vtkShadowVectorFilter::HitPoint : vtkShadowVectorFilter::BackSide);
   const vtkIdType count = size == Size::Small ? 40000 : 1000000;
   filter->SetNumberOfPhotons(count);
   filter->SetTargetNumberOfVectors(target ? count / 4 : 0);
@@ -264,9 +264,7 @@ Setting ConeSetProbe(Size size, int method)
     points.insert(points.end(),
       { 5.0 * (k % edge) / edge - 2.5, 5.0 * (k / edge % edge) / edge, 5.0 * (k / edge / edge) / edge - 2.5 });
   }
-  auto grid = vtkSmartPointer<vtkPolyData>::New();
-  shadowcones::SetVertices(grid, points);
-  return { filter, { { 0, grid }, { 1, Cones() }, { 2, Lamp() }, { 3, Room() } } };
+  return { filter, { { 0, PointsAt(points) }, { 1, Cones() }, { 2, Lamp() }, { 3, Room() } } };
 }
 
 Setting VisibilityVolume(Size size, int method)
@@ -379,14 +377,14 @@ const std::vector<Case>& AllCases()
     { "ShadowVectorsToATarget", [](Size size) { return ShadowVectors(size, true, true); } },
     { "ConeSet", [](Size size) { return ConeSet(size, false, true); } },
     { "ConeSetOverlap", [](Size size) { return ConeSet(size, true, false); } },
-    { "ConeSetTunedConservative", [](Size size) { return ConeSetTuned(size, vtkConeSetFilter::CONSERVATIVE); } },
-    { "ConeSetTunedSoft", [](Size size) { return ConeSetTuned(size, vtkConeSetFilter::SOFT); } },
+    { "ConeSetTunedConservative", [](Size size) { return ConeSetTuned(size, vtkConeSetFilter::Conservative); } },
+    { "ConeSetTunedSoft", [](Size size) { return ConeSetTuned(size, vtkConeSetFilter::Soft); } },
     { "ConeSetGeometry", ConeSetGeometry },
     { "ConeSetAccuracy", ConeSetAccuracy },
-    { "ShadowVolumeInnerCones", [](Size size) { return ShadowVolume(size, vtkShadowVolume::INNER_CONES); } },
-    { "ShadowVolumeBaseDiscs", [](Size size) { return ShadowVolume(size, vtkShadowVolume::BASE_DISCS); } },
-    { "ConeSetProbeExact", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::EXACT); }, true, false },
-    { "ConeSetProbeSoft", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::SOFT); }, true, false },
+    { "ShadowVolumeInnerCones", [](Size size) { return ShadowVolume(size, vtkShadowVolume::InnerCones); } },
+    { "ShadowVolumeBaseDiscs", [](Size size) { return ShadowVolume(size, vtkShadowVolume::BaseDiscs); } },
+    { "ConeSetProbeExact", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::Exact); }, true, false },
+    { "ConeSetProbeSoft", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::Soft); }, true, false },
     { "VisibilityVolumeExact", [](Size size) { return VisibilityVolume(size, vtkVisibilityVolume::Exact); } },
     { "VisibilityVolumeSoft", [](Size size) { return VisibilityVolume(size, vtkVisibilityVolume::Soft); } },
     { "ScatteringBruteForce", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::BruteForce); } },
@@ -404,7 +402,7 @@ const std::vector<Case>& AllCases()
       },
       false },
     { "ConeSetProbeOfTwoLamps",
-      [](Size size) { return OfTwoLamps(ConeSetProbe(size, vtkConeSetProbe::EXACT)); }, false, false },
+      [](Size size) { return OfTwoLamps(ConeSetProbe(size, vtkConeSetProbe::Exact)); }, false, false },
     { "VisibilityVolumeOfTwoLamps",
       [](Size size) { return OfTwoLamps(VisibilityVolume(size, vtkVisibilityVolume::Exact)); }, false },
     { "ScatteringGuidedOfTwoLamps",
@@ -415,13 +413,6 @@ const std::vector<Case>& AllCases()
     { "ScatteringVolumeFog", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Volume, true); } },
   };
   return cases;
-}
-
-vtkSmartPointer<vtkPolyData> ReadData(const std::string& name)
-{
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName((std::string(SHADOWCONES_DATA_DIR) + "/" + name).c_str());
-  return Take(reader);
 }
 
 vtkSmartPointer<vtkPolyData> LabelledMesh(vtkPolyData* input)

@@ -49,8 +49,6 @@ inline void PrintTo(const Case& one, std::ostream* os)
 
 const std::vector<Case>& AllCases();
 
-/// A mesh of the folder Data.
-vtkSmartPointer<vtkPolyData> ReadData(const std::string& name);
 /// The mesh with labels of vtkLabelOccluders.
 vtkSmartPointer<vtkPolyData> LabelledMesh(vtkPolyData* input);
 /// The lamp of the examples' room, moved and scaled.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every filter promises to the pipeline: times on any input port, and inputs that are whole in every process.
 #include "Cases.h"
-#include "FilterTesting.h"
+#include "Messages.h"
 
 #include "vtkDummyCommunicator.h"
 #include "vtkDummyController.h"
@@ -9,6 +9,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@
 #include <vector>
 
 using namespace invariants;
-using filtertesting::Messages;
+using namespace shadowcones::testsupport;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 namespace

@@ -2,13 +2,13 @@
 // What every filter promises: the same bytes for any threads and pieces, progress, abort, inputs left alone.
 #include "Cases.h"
 #include "DataBytes.h"
-#include "FilterTesting.h"
+#include "Messages.h"
 #include "TimeLimit.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -19,7 +19,7 @@
 #include <set>
 
 using namespace invariants;
-using filtertesting::Messages;
+using namespace shadowcones::testsupport;
 
 namespace
 {
@@ -59,34 +59,6 @@ void UpdatePort(vtkAlgorithm* filter, int port, int piece, int pieces)
   request->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   filter->Update(port, requests);
 }
-
-/// Calls a function at every ProgressEvent.
-class OnProgress
-{
-public:
-  OnProgress(vtkAlgorithm* filter, std::function<void(vtkAlgorithm*)> call)
-    : Filter(filter)
-    , Call(std::move(call))
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void*)
-      {
-        auto* observer = static_cast<OnProgress*>(self);
-        observer->Call(observer->Filter);
-      });
-    this->Tag = filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
-  }
-  ~OnProgress() { this->Filter->RemoveObserver(this->Tag); }
-  OnProgress(const OnProgress&) = delete;
-  OnProgress& operator=(const OnProgress&) = delete;
-
-private:
-  vtkAlgorithm* Filter;
-  std::function<void(vtkAlgorithm*)> Call;
-  vtkNew<vtkCallbackCommand> Command;
-  unsigned long Tag = 0;
-};
 
 } // namespace
 

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole chain on awkward scenes: far away, tiny, empty, a camera inside, and meshes that nobody here made.
 #include "Cases.h"
-#include "FilterTesting.h"
+#include "FilterChain.h"
+#include "RealMeshes.h"
+#include "TestPolyData.h"
 
-#include "vtkConeSetFilter.h"
 #include "vtkConeSetGeometry.h"
-#include "vtkLabelOccluders.h"
 #include "vtkScatteringImageFilter.h"
-#include "vtkShadowVectorFilter.h"
 
-#include "vtk3DSImporter.h"
-#include "vtkActor.h"
-#include "vtkActorCollection.h"
-#include "vtkAppendPolyData.h"
 #include "vtkCamera.h"
 #include "vtkCleanPolyData.h"
 #include "vtkImageData.h"
-#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkOBJReader.h"
-#include "vtkRenderer.h"
 
 #include <gtest/gtest.h>
 
@@ -27,41 +20,10 @@
 #include <fstream>
 
 using namespace invariants;
-using filtertesting::Messages;
+using namespace shadowcones::testsupport;
 
 namespace
 {
-
-/// Mesh and light to labels, vectors and cones, with the messages of all three.
-class Chain
-{
-public:
-  Chain(vtkPolyData* mesh, vtkPolyData* light, vtkIdType vectors)
-  {
-    this->Vectors->SetToPaper();
-    this->Cones->SetToPaper();
-    this->Labels->SetInputData(mesh);
-    this->Vectors->SetInputConnection(this->Labels->GetOutputPort());
-    this->Vectors->SetLightData(light);
-    this->Vectors->SetTargetNumberOfVectors(vectors);
-    this->Cones->SetInputConnection(this->Vectors->GetOutputPort());
-    this->Cones->SetPhotonPathConnection(this->Vectors->GetOutputPort(1));
-    Messages labels(this->Labels);
-    Messages traced(this->Vectors);
-    Messages fitted(this->Cones);
-    this->Cones->Update();
-    this->Said = labels.Errors + labels.Warnings + traced.Errors + traced.Warnings + fitted.Errors + fitted.Warnings;
-  }
-  double Cone(const char* array, vtkIdType cone, int component = 0)
-  {
-    return this->Cones->GetOutput()->GetPointData()->GetArray(array)->GetComponent(cone, component);
-  }
-
-  vtkNew<vtkLabelOccluders> Labels;
-  vtkNew<vtkShadowVectorFilter> Vectors;
-  vtkNew<vtkConeSetFilter> Cones;
-  std::string Said;
-};
 
 /// The mesh with its points in double precision, scaled and moved along all axes.
 vtkSmartPointer<vtkPolyData> Placed(vtkPolyData* mesh, double scale, double offset)
@@ -80,28 +42,11 @@ vtkSmartPointer<vtkPolyData> Placed(vtkPolyData* mesh, double scale, double offs
   return placed;
 }
 
-std::string Model(const char* name)
-{
-  const std::string path = std::string("/usr/share/glmark2/models/") + name;
-  return std::ifstream(path) ? path : std::string();
-}
-
 /// The importer splits meshes at creases: what belongs together is joined again.
 vtkSmartPointer<vtkPolyData> Read3DS(const std::string& path)
 {
-  vtkNew<vtk3DSImporter> importer;
-  importer->SetFileName(path.c_str());
-  importer->Update();
-  vtkNew<vtkAppendPolyData> append;
-  vtkActorCollection* actors = importer->GetRenderer()->GetActors();
-  actors->InitTraversal();
-  while (vtkActor* actor = actors->GetNextActor())
-  {
-    actor->GetMapper()->Update();
-    append->AddInputData(vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0)));
-  }
   vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputConnection(append->GetOutputPort());
+  clean->SetInputData(Import3DS(path));
   clean->Update();
   return clean->GetOutput();
 }
@@ -122,7 +67,8 @@ vtkSmartPointer<vtkPolyData> LampOver(vtkPolyData* mesh)
 /// The chain works on the mesh, and most of its vectors find a cone; some of very many pieces may go without.
 void ExpectCones(vtkPolyData* mesh)
 {
-  Chain chain(mesh, LampOver(mesh), 5000);
+  FilterChain chain(mesh, LampOver(mesh), 5000);
+  chain.Update();
   EXPECT_EQ(chain.Labels->GetOutput()->GetFieldData()->GetArray("NumberOfOccluders")->GetComponent(0, 0) > 1000.0,
     !chain.Said.empty())
     << chain.Said;
@@ -130,7 +76,7 @@ void ExpectCones(vtkPolyData* mesh)
   EXPECT_GE(vectors->GetNumberOfPoints(), 5000);
   vtkPolyData* cones = chain.Cones->GetOutput();
   EXPECT_GT(cones->GetNumberOfPoints(), 20);
-  EXPECT_LT(filtertesting::FieldValue(cones, "DiscardedFraction"), 0.9);
+  EXPECT_LT(FieldValue(cones, "DiscardedFraction"), 0.9);
   // Vectors lie in the mesh's bounds and point away from the light, normals too: all lamps shine from above.
   const double* b = mesh->GetBounds();
   const double margin = 1e-3 * mesh->GetLength();
@@ -157,7 +103,8 @@ void ExpectCones(vtkPolyData* mesh)
 TEST(Scenes, FarAwayAndTinyGiveTheSameCones)
 {
   const auto chair = ReadData("chair.vtp");
-  Chain reference(chair, RoomLamp(), 3000);
+  FilterChain reference(chair, RoomLamp(), 3000);
+  reference.Update();
   const vtkIdType count = reference.Cones->GetOutput()->GetNumberOfPoints();
   ASSERT_GT(count, 20);
   struct Place
@@ -167,7 +114,8 @@ TEST(Scenes, FarAwayAndTinyGiveTheSameCones)
   };
   for (const Place& place : { Place{ 1.0, 1e6 }, Place{ 1e-3, 0.0 }, Place{ 1e-3, 1e3 } })
   {
-    Chain moved(Placed(chair, place.Scale, place.Offset), RoomLamp(place.Scale, place.Offset), 3000);
+    FilterChain moved(Placed(chair, place.Scale, place.Offset), RoomLamp(place.Scale, place.Offset), 3000);
+    moved.Update();
     EXPECT_EQ(moved.Said, "");
     ASSERT_EQ(moved.Cones->GetOutput()->GetNumberOfPoints(), count) << place.Scale << " " << place.Offset;
     for (vtkIdType i = 0; i < count; ++i)
@@ -199,7 +147,8 @@ TEST(Scenes, FarAwayAndTinyGiveTheSameImage)
   const auto chair = ReadData("chair.vtp");
   const auto render = [&](double scale, double offset)
   {
-    Chain chain(Placed(chair, scale, offset), RoomLamp(scale, offset), 3000);
+    FilterChain chain(Placed(chair, scale, offset), RoomLamp(scale, offset), 3000);
+    chain.Update();
     vtkNew<vtkCamera> camera;
     camera->SetPosition(offset, 2.75 * scale + offset, 12.5 * scale + offset);
     camera->SetFocalPoint(offset, 2.75 * scale + offset, offset);
@@ -238,7 +187,8 @@ TEST(Scenes, FarAwayAndTinyGiveTheSameImage)
 TEST(Scenes, AnEmptyMeshIsEmptyAllTheWay)
 {
   vtkNew<vtkPolyData> empty;
-  Chain chain(empty, RoomLamp(), 1000);
+  FilterChain chain(empty, RoomLamp(), 1000);
+  chain.Update();
   EXPECT_EQ(chain.Said, "");
   EXPECT_EQ(chain.Vectors->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(chain.Cones->GetOutput()->GetNumberOfPoints(), 0);
@@ -263,14 +213,15 @@ TEST(Scenes, AnEmptyMeshIsEmptyAllTheWay)
 
 TEST(Scenes, ACameraInsideAnOccluderSeesItsInside)
 {
-  const auto box = filtertesting::MeshBuilder().AddBox(0.0, 2.0, 0.0, 0.5, 0.5, 0.5, 0).Build();
+  const auto box = MeshBuilder().AddBox(0.0, 2.0, 0.0, 0.5, 0.5, 0.5, 0).Build();
   vtkNew<vtkCamera> camera;
   camera->SetPosition(0.1, 2.0, 0.2);
   camera->SetFocalPoint(0.0, 2.1, -3.0);
   for (const int mode :
     { vtkScatteringImageFilter::BruteForce, vtkScatteringImageFilter::Medium, vtkScatteringImageFilter::Fast })
   {
-    Chain chain(box, RoomLamp(), 1000);
+    FilterChain chain(box, RoomLamp(), 1000);
+    chain.Update();
     vtkNew<vtkScatteringImageFilter> image;
     image->SetInputConnection(chain.Labels->GetOutputPort());
     image->SetLightData(RoomLamp());
@@ -307,7 +258,8 @@ TEST(Scenes, ALightInsideTheMeshsBoundsWorks)
   light->SetCenter(0.0, 0.7, 0.0);
   light->SetRadius(0.1);
   light->Update();
-  Chain chain(ReadData("chair.vtp"), light->GetOutput(), 3000);
+  FilterChain chain(ReadData("chair.vtp"), light->GetOutput(), 3000);
+  chain.Update();
   EXPECT_EQ(chain.Said, "");
   EXPECT_GE(chain.Vectors->GetOutput()->GetNumberOfPoints(), 3000);
 }
@@ -318,7 +270,8 @@ TEST(Scenes, ASunWorks)
   sun->SetShapeToSun();
   sun->SetNormal(0.3, -1.0, 0.2);
   sun->Update();
-  Chain chain(ReadData("chair.vtp"), sun->GetOutput(), 3000);
+  FilterChain chain(ReadData("chair.vtp"), sun->GetOutput(), 3000);
+  chain.Update();
   EXPECT_EQ(chain.Said, "");
   const double* angles = chain.Cones->GetOutput()->GetPointData()->GetArray("HalfAngle")->GetRange();
   const double half = 0.5 * 0.533 * std::acos(-1.0) / 180.0;

@@ -6,6 +6,7 @@
 #ifndef ConeAdversary_h
 #define ConeAdversary_h
 
+#include "scLightSampling.h"
 #include "scReference.h"
 
 #include <algorithm>

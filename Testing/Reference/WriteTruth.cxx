@@ -10,6 +10,7 @@
 #include <vector>
 
 using namespace shadowcones;
+using namespace testsupport;
 
 int main(int argc, char* argv[])
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// One file because the slow truth is to be read as one text, without a look at any fast path.
 #include "scReference.h"
 
 #include <algorithm>

@@ -10,11 +10,11 @@
 #define scReference_h
 
 #include "scCamera.h"
-#include "scConeSet.h"
+#include "scCone.h"
 #include "scDensityGrid.h"
 #include "scLight.h"
 #include "scMedium.h"
-#include "scOccluderScene.h"
+#include "scTriangleMesh.h"
 
 #include <array>
 #include <cstdint>

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file ImageTestScene.h
- * @brief A small scene that is rendered in every mode: the tests of the image are made of these.
+ * @file Scenes.h
+ * @brief A small scene that is rendered in every mode: the tests of the image are made of these. Cameras.
  */
-#ifndef ImageTestScene_h
-#define ImageTestScene_h
+#ifndef Scenes_h
+#define Scenes_h
 
+#include "TestCones.h"
+#include "TestLights.h"
 #include "TestMeshes.h"
-#include "scConeIntervals.h"
+#include "scCamera.h"
+#include "scCone.h"
+#include "scConeHierarchy.h"
+#include "scRenderScattering.h"
 #include "scScatteringImage.h"
+#include "scScatteringOptions.h"
 #include "scVisibilityGrid.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +26,21 @@
 
 namespace shadowcones
 {
+namespace testsupport
+{
+
+inline Camera LookAt(const Vector3& from, const Vector3& to, double halfHeight, bool parallel = false)
+{
+  Camera camera;
+  camera.Position = from;
+  camera.Forward = Normalized(to - from);
+  const Vector3 up = std::abs(camera.Forward.Y) < 0.9 ? Vector3{ 0.0, 1.0, 0.0 } : Vector3{ 0.0, 0.0, 1.0 };
+  camera.Right = Normalized(Cross(camera.Forward, up));
+  camera.Up = Cross(camera.Right, camera.Forward);
+  camera.HalfHeight = halfHeight;
+  camera.Parallel = parallel;
+  return camera;
+}
 
 inline const char* NameOf(ScatteringMode mode)
 {
@@ -45,7 +66,7 @@ struct ImageTestScene
   ImageTestScene()
   {
     this->Options.NumberOfSteps = 128;
-    this->Options.MaximumDepth = 8;
+    this->Options.MaximumHalvings = 8;
     this->Options.IntensityThreshold = 0.02;
     this->Options.NumberOfSurfaceLightSamples = 0;
     this->Options.RelativeErrorGoal = 1e-3;
@@ -58,16 +79,10 @@ struct ImageTestScene
     this->Options.Height = height;
     this->Options.Extent = { 0, width - 1, 0, height - 1 };
   }
-  void SetLight(LightShape shape, const Vector3& center, const Vector3& normal, double radius,
-    std::vector<double> spectrum)
+  void SetLight(
+    LightShape shape, const Vector3& center, const Vector3& normal, double radius, std::vector<double> spectrum)
   {
-    this->Source = Light();
-    this->Source.Shape = shape;
-    this->Source.Center = center;
-    this->Source.Normal = normal;
-    this->Source.Radius = radius;
-    this->Source.Spectrum = std::move(spectrum);
-    EXPECT_EQ(PrepareLight(this->Source), nullptr);
+    this->Source = MakeLight(shape, center, normal, radius, std::move(spectrum));
   }
   void SetMedium(std::vector<double> sigmaS, std::vector<double> sigmaA, const Vector3& low, const Vector3& high)
   {
@@ -79,22 +94,15 @@ struct ImageTestScene
   /// Something that no light or ray meets.
   void AddNothing()
   {
-    this->Mesh.AddParallelogram(this->Fog.Bounds.Max + 9.0 * this->Fog.Bounds.Size(),
+    this->Mesh.AddSheet(this->Fog.Bounds.Max + 9.0 * this->Fog.Bounds.Size(),
       { 0.1 * this->Fog.Bounds.Size().X, 0.0, 0.0 }, { 0.0, 0.1 * this->Fog.Bounds.Size().Y, 0.0 });
   }
   /// A disc across the z axis, itself and the cone that bounds its shadow.
   void AddDisc(const Vector3& center, double radius, const Vector3& axis, double halfAngle)
   {
     this->Mesh.AddDisc(center, radius);
-    Cone cone;
-    cone.Center = center;
-    cone.Axis = axis;
-    cone.Normal = axis;
-    cone.BaseRadius = radius;
-    cone.HalfAngle = halfAngle;
-    this->Discs.push_back(cone);
-    cone.BaseRadius *= 1.01;
-    this->Bounds.push_back(cone);
+    this->Discs.push_back(MakeCone(center, axis, radius, halfAngle));
+    this->Bounds.push_back(MakeCone(center, axis, 1.01 * radius, halfAngle));
   }
 
   VisibilityGrid FillGrid(ScatteringMode mode, const OccluderScene& occluders) const
@@ -128,12 +136,10 @@ struct ImageTestScene
     }
     return this->Render(mode, &cones, needsGrid ? &grid : nullptr);
   }
-  Ray PixelRay(int i, int j) const
-  {
-    return this->Eye.PixelRay(i, j, this->Options.Width, this->Options.Height);
-  }
+  Ray PixelRay(int i, int j) const { return this->Eye.PixelRay(i, j, this->Options.Width, this->Options.Height); }
 };
 
+} // namespace testsupport
 } // namespace shadowcones
 
 #endif

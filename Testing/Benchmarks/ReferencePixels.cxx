@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RoomImage.h"
+#include "ReferencePixels.h"
 
 #include "scReference.h"
 
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkNew.h"
 #include "vtkSMPTools.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
 #include <array>
@@ -73,16 +69,18 @@ private:
   std::uint64_t State = 0xCBF29CE484222325ull;
 };
 
-std::uint64_t HashOf(const TriangleMesh& mesh, const Light& light, const Medium& medium, const Camera& camera, int size,
-  int pixels, int samples)
+std::uint64_t HashOf(const BenchmarkScene& scene, int size, int pixels, int samples)
 {
+  const Light& light = scene.Light;
+  const Medium& medium = scene.Medium;
+  const Camera& camera = scene.Camera;
   ContentHash hash;
   for (const int number : { referenceVersion, size, pixels, samples })
   {
     hash.Add(number);
   }
-  hash.Add(mesh.Points);
-  hash.Add(mesh.Triangles);
+  hash.Add(scene.Room.Points);
+  hash.Add(scene.Room.Triangles);
   hash.Add(static_cast<int>(light.Shape));
   for (const Vector3& v : { light.Center, light.Normal, light.AxisU, light.AxisV })
   {
@@ -152,59 +150,6 @@ void WriteTruth(const std::string& file, const std::vector<PixelTruth>& truth)
 } // namespace
 
 //------------------------------------------------------------------------------
-Camera RoomCamera()
-{
-  Camera camera;
-  camera.Position = { 0.0, 2.65, 10.0 };
-  camera.HalfHeight = 0.37;
-  return camera;
-}
-
-//------------------------------------------------------------------------------
-Medium RoomMedium(const Light& light)
-{
-  Medium medium;
-  medium.SigmaS.assign(light.Spectrum.size(), 0.12);
-  medium.SigmaA.assign(light.Spectrum.size(), 0.0);
-  medium.Bounds = RoomBounds();
-  return medium;
-}
-
-//------------------------------------------------------------------------------
-Room BuildRoom(const BenchmarkScene& scene, std::size_t wavelengths)
-{
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->SetFileName(SHADOWCONES_DATA_DIR "/cornell-box.vtp");
-  reader->Update();
-  TriangleMesh walls;
-  std::string error;
-  if (!ReadTriangles(reader->GetOutput(), walls, error))
-  {
-    throw std::runtime_error(error);
-  }
-  Room room;
-  room.Mesh = scene.Mesh;
-  room.Mesh.OccluderIds.resize(room.Mesh.Triangles.size() / 3, 0);
-  room.Reflectance.assign(room.Mesh.OccluderIds.size() * wavelengths, 0.5f);
-  const auto offset = static_cast<vtkIdType>(room.Mesh.Points.size() / 3);
-  room.Mesh.Points.insert(room.Mesh.Points.end(), walls.Points.begin(), walls.Points.end());
-  for (const vtkIdType id : walls.Triangles)
-  {
-    room.Mesh.Triangles.push_back(id + offset);
-  }
-  room.Mesh.OccluderIds.resize(room.Mesh.Triangles.size() / 3, -1);
-  vtkDataArray* reflectance = reader->GetOutput()->GetCellData()->GetArray("Reflectance");
-  for (const vtkIdType cell : walls.SourceCells)
-  {
-    for (std::size_t k = 0; k < wavelengths; ++k)
-    {
-      room.Reflectance.push_back(static_cast<float>(reflectance->GetComponent(cell, static_cast<int>(k))));
-    }
-  }
-  return room;
-}
-
-//------------------------------------------------------------------------------
 std::vector<PixelTruth> SpreadPixels(int size, int count)
 {
   std::vector<PixelTruth> pixels(count);
@@ -219,13 +164,10 @@ std::vector<PixelTruth> SpreadPixels(int size, int count)
 
 //------------------------------------------------------------------------------
 std::vector<PixelTruth> ReferencePixels(
-  const BenchmarkScene& scene, const Room& room, int size, int pixels, int samples, const std::string& folder)
+  const BenchmarkScene& scene, int size, int pixels, int samples, const std::string& folder)
 {
-  const Medium medium = RoomMedium(scene.Source);
-  const Camera camera = RoomCamera();
   char hash[17];
-  std::snprintf(hash, sizeof(hash), "%016llx",
-    static_cast<unsigned long long>(HashOf(room.Mesh, scene.Source, medium, camera, size, pixels, samples)));
+  std::snprintf(hash, sizeof(hash), "%016llx", static_cast<unsigned long long>(HashOf(scene, size, pixels, samples)));
   const std::string file = folder + "/scattering-reference-" + scene.Name + "-" + hash + ".txt";
   std::vector<PixelTruth> truth = SpreadPixels(size, pixels);
   if (ReadTruth(file, truth))
@@ -235,7 +177,7 @@ std::vector<PixelTruth> ReferencePixels(
 
   std::fprintf(stderr, "%s: making the reference, %d pixels x %d samples ...\n", scene.Name.c_str(), pixels, samples);
   const double start = Now();
-  const ReferenceScene slow(room.Mesh.View());
+  const ReferenceScene slow(scene.Room.View());
   vtkSMPTools::For(0, pixels, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -243,7 +185,7 @@ std::vector<PixelTruth> ReferencePixels(
       {
         PixelTruth& pixel = truth[k];
         const ReferenceEstimate estimate =
-          ReferenceInScattering(slow, scene.Source, medium, camera, pixel.I, pixel.J, size, size, samples);
+          ReferenceInScattering(slow, scene.Light, scene.Medium, scene.Camera, pixel.I, pixel.J, size, size, samples);
         pixel.Mean = MeanOverWavelengths(estimate.Mean);
         pixel.StandardError = MeanOverWavelengths(estimate.StandardError);
       }

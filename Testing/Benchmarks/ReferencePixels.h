@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file RoomImage.h
- * @brief The camera, medium and walls of the room, and the image's medium term at some pixels from the reference.
+ * @file ReferencePixels.h
+ * @brief The image's medium term at some pixels from the reference, and how far an image is off.
  */
-#ifndef RoomImage_h
-#define RoomImage_h
+#ifndef ReferencePixels_h
+#define ReferencePixels_h
 
 #include "BenchmarkScene.h"
-
-#include "scCamera.h"
-#include "scMedium.h"
 
 #include <string>
 #include <vector>
 
 namespace shadowcones
 {
-
-Camera RoomCamera();
-/// Isotropic, SigmaS 0.12, no absorption, in RoomBounds().
-Medium RoomMedium(const Light& light);
-
-/// The occluder and the walls (Data/cornell-box.vtp) as one mesh; walls have OccluderId -1 and a reflectance.
-struct Room
-{
-  TriangleMesh Mesh;
-  std::vector<float> Reflectance; ///< one a triangle and wavelength
-};
-Room BuildRoom(const BenchmarkScene& scene, std::size_t wavelengths);
 
 /// The medium term of a pixel, mean over wavelengths.
 struct PixelTruth
@@ -46,7 +31,7 @@ std::vector<PixelTruth> SpreadPixels(int size, int count);
  * hash of mesh, light, medium, camera and sampling. Throws std::runtime_error where it cannot be written.
  */
 std::vector<PixelTruth> ReferencePixels(
-  const BenchmarkScene& scene, const Room& room, int size, int pixels, int samples, const std::string& folder);
+  const BenchmarkScene& scene, int size, int pixels, int samples, const std::string& folder);
 
 struct ImageError
 {

@@ -7,6 +7,7 @@
 #define SampledDensity_h
 
 #include "scDensityGrid.h"
+#include "scFrame.h"
 
 #include <array>
 #include <functional>
