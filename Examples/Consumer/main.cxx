@@ -37,6 +37,7 @@ int main()
   vtkNew<vtkConeSetFilter> cones;
   cones->SetInputConnection(vectors->GetOutputPort(0));
   cones->SetPhotonPathConnection(vectors->GetOutputPort(1));
+  cones->SetMeshConnection(occluders->GetOutputPort());
 
   vtkNew<vtkScatteringImageFilter> image;
   image->SetInputConnection(occluders->GetOutputPort());

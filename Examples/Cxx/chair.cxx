@@ -126,6 +126,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkConeSetFilter> cones;
   cones->SetInputConnection(vectors->GetOutputPort(0));
   cones->SetPhotonPathConnection(vectors->GetOutputPort(1));
+  cones->SetMeshConnection(room->GetOutputPort()); // cones that are proved to hold all of the shadow
 
   if (mode == vtkScatteringImageFilter::Soft)
   {

@@ -35,7 +35,8 @@ def chain(data, size):
     light = simple.AreaLight(Shape="Disc", Center=[0.0, 5.49, 0.0], Normal=[0.0, -1.0, 0.0], Radius=0.5)
     vectors = simple.ShadowVectors(Input=room, Light=light, TargetNumberOfVectors=5800)
     cones = simple.ConeSet(
-        Input=simple.OutputPort(vectors, "Shadow Vectors"), PhotonPaths=simple.OutputPort(vectors, "Photon Paths"))
+        Input=simple.OutputPort(vectors, "Shadow Vectors"), PhotonPaths=simple.OutputPort(vectors, "Photon Paths"),
+        Mesh=room)  # cones that are proved to hold all of the shadow
 
     image = simple.ScatteringImage(Input=room, Light=light, ConeSet=simple.OutputPort(cones, "Cone Set"))
     image.Camera = "Camera"
