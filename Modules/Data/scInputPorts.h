@@ -8,7 +8,7 @@
 #ifndef scInputPorts_h
 #define scInputPorts_h
 
-/// @code scDefineInputPort(vtkConeSetProbe, Mesh, meshPort) @endcode defines SetMeshConnection and SetMeshData.
+/// @code scDefineInputPort(vtkConeSetProbe, Mesh, meshPort); @endcode defines SetMeshConnection and SetMeshData.
 #define scDefineInputPort(Class, Name, port)                                                                           \
   void Class::Set##Name##Connection(vtkAlgorithmOutput* output)                                                        \
   {                                                                                                                    \

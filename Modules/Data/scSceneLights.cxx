@@ -2,6 +2,7 @@
 #include "scSceneLights.h"
 
 #include "scLightData.h"
+#include "scMeshBlocks.h"
 #include "scSentence.h"
 
 #include "vtkAlgorithm.h"
@@ -185,6 +186,23 @@ void FillLightPortInformation(vtkInformation* info)
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
 }
 
+void FillScenePortInformation(int port, int meshPort, int lightPort, const char* other, vtkInformation* info)
+{
+  if (port == lightPort)
+  {
+    FillLightPortInformation(info);
+  }
+  else if (port == meshPort)
+  {
+    AcceptBlocks(info);
+  }
+  else
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), other);
+  }
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+}
+
 bool ReadLights(vtkInformationVector* port, SceneLights& lights, std::string& error)
 {
   lights = {};
@@ -226,10 +244,10 @@ void AssignCones(vtkPolyData* coneSet, SceneLights& lights, std::vector<Cone>& c
   }
   if (!fingerprints.empty())
   {
-    lights.Warnings.push_back(Sentence("The cone set was made with other lights: light ", unmatched,
-      " is none of its ", fingerprints.size(),
-      ", and shadow outside the cones is missed. Run vtkShadowVectorFilter and vtkConeSetFilter with the lights that "
-      "are connected here."));
+    lights.Warnings.push_back(
+      Sentence("The cone set was made with other lights: light ", unmatched, " is none of its ", fingerprints.size(),
+        ", and shadow outside the cones is missed. Run vtkShadowVectorFilter and vtkConeSetFilter with the lights that "
+        "are connected here."));
   }
   if (!hasIds && lights.Lights.size() > 1)
   {
@@ -266,8 +284,7 @@ bool AssignGrids(vtkFieldData* volume, SceneLights& lights, std::vector<Visibili
   if (!fingerprints.empty())
   {
     lights.Warnings.push_back(Sentence("The visibility volume was made with other lights: light ", unmatched,
-      " is none of its ", fingerprints.size(),
-      ". Run vtkVisibilityVolume with the lights that are connected here."));
+      " is none of its ", fingerprints.size(), ". Run vtkVisibilityVolume with the lights that are connected here."));
   }
   return true;
 }

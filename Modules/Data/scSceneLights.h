@@ -35,6 +35,13 @@ struct SHADOWCONESDATA_EXPORT SceneLights
 SHADOWCONESDATA_EXPORT void FillLightPortInformation(vtkInformation* info);
 
 /**
+ * What a port takes of a filter that knows a mesh and lights: one of these, or else data of the class @p other. All are
+ * optional to the pipeline: RequestData says what to connect.
+ */
+SHADOWCONESDATA_EXPORT void FillScenePortInformation(
+  int port, int meshPort, int lightPort, const char* other, vtkInformation* info);
+
+/**
  * Read the lights of a port, see ReadLight. Blocks that are not there are left out. @return false, with a sentence in
  * @p error: no light at all, a block that is no poly data, a fault of a light, or lights that differ in their
  * wavelengths.

@@ -166,26 +166,13 @@ vtkConeSetAccuracy::vtkConeSetAccuracy()
   this->SetNumberOfOutputPorts(5);
 }
 
-scDefineInputPort(vtkConeSetAccuracy, ConeSet, coneSetPort) scDefineInputPort(vtkConeSetAccuracy, Mesh, meshPort)
-  scDefineLightPort(vtkConeSetAccuracy, lightPort)
+scDefineInputPort(vtkConeSetAccuracy, ConeSet, coneSetPort);
+scDefineInputPort(vtkConeSetAccuracy, Mesh, meshPort);
+scDefineLightPort(vtkConeSetAccuracy, lightPort);
 
-    int vtkConeSetAccuracy::FillInputPortInformation(int port, vtkInformation* info)
+int vtkConeSetAccuracy::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == lightPort)
-  {
-    FillLightPortInformation(info);
-    return 1;
-  }
-  if (port == meshPort)
-  {
-    AcceptBlocks(info);
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPolyData");
-  }
-  // What is missing is reported by RequestData, which can say what to connect.
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  FillScenePortInformation(port, meshPort, lightPort, port == 0 ? "vtkDataSet" : "vtkPolyData", info);
   return 1;
 }
 

@@ -99,10 +99,11 @@ vtkConeSetFilter::vtkConeSetFilter()
   this->SetNumberOfOutputPorts(2);
 }
 
-scDefineInputPort(vtkConeSetFilter, PhotonPath, pathPort) scDefineInputPort(vtkConeSetFilter, Mesh, meshPort)
-  scDefineLightPort(vtkConeSetFilter, lightPort)
+scDefineInputPort(vtkConeSetFilter, PhotonPath, pathPort);
+scDefineInputPort(vtkConeSetFilter, Mesh, meshPort);
+scDefineLightPort(vtkConeSetFilter, lightPort);
 
-    void vtkConeSetFilter::SetToPaper()
+void vtkConeSetFilter::SetToPaper()
 {
   this->SetTuningToManual();
   this->SetNumberOfNeighbors(100);
@@ -123,19 +124,8 @@ scDefineInputPort(vtkConeSetFilter, PhotonPath, pathPort) scDefineInputPort(vtkC
 
 int vtkConeSetFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == lightPort)
-  {
-    FillLightPortInformation(info);
-  }
-  else if (port == meshPort)
-  {
-    AcceptBlocks(info);
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  }
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0 ? 1 : 0);
+  FillScenePortInformation(port, meshPort, lightPort, "vtkPolyData", info);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
 }
 

@@ -61,25 +61,13 @@ vtkConeSetProbe::vtkConeSetProbe()
   this->SetNumberOfInputPorts(4);
 }
 
-scDefineInputPort(vtkConeSetProbe, ConeSet, coneSetPort) scDefineInputPort(vtkConeSetProbe, Mesh, meshPort)
-  scDefineLightPort(vtkConeSetProbe, lightPort)
+scDefineInputPort(vtkConeSetProbe, ConeSet, coneSetPort);
+scDefineInputPort(vtkConeSetProbe, Mesh, meshPort);
+scDefineLightPort(vtkConeSetProbe, lightPort);
 
-    int vtkConeSetProbe::FillInputPortInformation(int port, vtkInformation* info)
+int vtkConeSetProbe::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == lightPort)
-  {
-    FillLightPortInformation(info);
-    return 1;
-  }
-  if (port == meshPort)
-  {
-    AcceptBlocks(info);
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPolyData");
-  }
-  // What is missing is reported by RequestData, which can say what to connect.
+  FillScenePortInformation(port, meshPort, lightPort, port == 0 ? "vtkDataSet" : "vtkPolyData", info);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
 }

@@ -59,9 +59,9 @@ vtkShadowVectorFilter::vtkShadowVectorFilter()
   this->SetNumberOfOutputPorts(3);
 }
 
-scDefineLightPort(vtkShadowVectorFilter, lightPort)
+scDefineLightPort(vtkShadowVectorFilter, lightPort);
 
-  int vtkShadowVectorFilter::FillInputPortInformation(int port, vtkInformation* info)
+int vtkShadowVectorFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == lightPort)
   {

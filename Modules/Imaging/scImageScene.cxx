@@ -73,23 +73,6 @@ void WarnOfCones(const ImageInputs& inputs, ImageScene& scene)
     scene.Said.Add(TooManyDiscarded(inputs.Cones->GetFieldData()));
   }
 }
-
-/// A grid for each light. @return false where aborted.
-bool FillSoftGrids(const std::vector<std::vector<Cone>>& conesOf, const VisibilityGridOptions& options,
-  const Monitor& monitor, ImageScene& scene)
-{
-  const auto count = static_cast<double>(conesOf.size());
-  for (std::size_t k = 0; k < conesOf.size(); ++k)
-  {
-    const auto done = static_cast<double>(k);
-    if (!FillVisibilityGrid(conesOf[k], scene.Lights.Lights[k], nullptr, scene.Medium.Bounds, options,
-          monitor.Part(done / count, (done + 1.0) / count), scene.Visibility[k]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 } // anonymous namespace
 
 ImageScene::ImageScene() = default;
@@ -257,7 +240,9 @@ bool RenderScene(ImageScene& scene, const std::vector<std::array<int, 4>>& exten
   const std::vector<std::vector<Cone>> conesOf = ConesOfLights(scene.Cones, lights.size());
   scene.Soft.Method = VisibilityMethod::Soft;
   scene.Soft.Seed = scene.Options.Seed;
-  if (isSoft && !FillSoftGrids(conesOf, scene.Soft, monitor.Part(0.0, shareOfSoft), scene))
+  if (isSoft &&
+    !FillVisibilityGrids(
+      conesOf, lights, nullptr, scene.Medium.Bounds, scene.Soft, monitor.Part(0.0, shareOfSoft), scene.Visibility))
   {
     return false;
   }

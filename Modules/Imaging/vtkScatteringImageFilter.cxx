@@ -58,13 +58,14 @@ vtkScatteringImageFilter::~vtkScatteringImageFilter()
 
 vtkCxxSetObjectMacro(vtkScatteringImageFilter, Camera, vtkCamera);
 
-scDefineLightPort(vtkScatteringImageFilter, lightPort) scDefineInputPort(vtkScatteringImageFilter, ConeSet, coneSetPort)
-  scDefineInputPort(vtkScatteringImageFilter, VisibilityVolume, visibilityVolumePort)
-    scDefineInputPort(vtkScatteringImageFilter, Density, densityPort)
+scDefineLightPort(vtkScatteringImageFilter, lightPort);
+scDefineInputPort(vtkScatteringImageFilter, ConeSet, coneSetPort);
+scDefineInputPort(vtkScatteringImageFilter, VisibilityVolume, visibilityVolumePort);
+scDefineInputPort(vtkScatteringImageFilter, Density, densityPort);
+scDefineSpectrum(vtkScatteringImageFilter, SigmaS);
+scDefineSpectrum(vtkScatteringImageFilter, SigmaA);
 
-      scDefineSpectrum(vtkScatteringImageFilter, SigmaS) scDefineSpectrum(vtkScatteringImageFilter, SigmaA)
-
-        void vtkScatteringImageFilter::SetPhasePreset(const SchlickLobes& lobes)
+void vtkScatteringImageFilter::SetPhasePreset(const SchlickLobes& lobes)
 {
   this->SetPhaseFunctionToBlasiSchlick();
   this->SetPhaseLobes(lobes.Weight, lobes.K1, lobes.K2);
@@ -117,20 +118,7 @@ vtkMTimeType vtkScatteringImageFilter::GetMTime()
 
 int vtkScatteringImageFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == lightPort)
-  {
-    FillLightPortInformation(info);
-  }
-  else if (port == meshPort)
-  {
-    AcceptBlocks(info);
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == coneSetPort ? "vtkPolyData" : "vtkImageData");
-  }
-  // Which are needed depends on the mode: RequestData says what to connect.
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  FillScenePortInformation(port, meshPort, lightPort, port == coneSetPort ? "vtkPolyData" : "vtkImageData", info);
   return 1;
 }
 

@@ -73,25 +73,12 @@ vtkVisibilityVolume::vtkVisibilityVolume()
   this->SetNumberOfInputPorts(3);
 }
 
-scDefineInputPort(vtkVisibilityVolume, Mesh, meshPort) scDefineLightPort(vtkVisibilityVolume, lightPort)
+scDefineInputPort(vtkVisibilityVolume, Mesh, meshPort);
+scDefineLightPort(vtkVisibilityVolume, lightPort);
 
-  int vtkVisibilityVolume::FillInputPortInformation(int port, vtkInformation* info)
+int vtkVisibilityVolume::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == lightPort)
-  {
-    FillLightPortInformation(info);
-    return 1;
-  }
-  if (port == meshPort)
-  {
-    AcceptBlocks(info);
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  }
-  // What is missing is reported by RequestData, which can say what to connect.
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  FillScenePortInformation(port, meshPort, lightPort, "vtkPolyData", info);
   return 1;
 }
 
@@ -251,19 +238,8 @@ bool vtkVisibilityVolume::FillGrids(const Scene& scene, const int extent[6], std
   const std::vector<Light>& lights = scene.Lights.Lights;
   const OccluderScene occluders(scene.Mesh.View());
   const std::vector<std::vector<Cone>> conesOf = ConesOfLights(scene.Cones, lights.size());
-  const Monitor monitor = MonitorOf(this);
-  const auto count = static_cast<double>(lights.size());
-  grids.resize(lights.size());
-  for (std::size_t k = 0; k < lights.size(); ++k)
-  {
-    const auto done = static_cast<double>(k);
-    if (!FillVisibilityGrid(conesOf[k], lights[k], this->Method == Exact ? &occluders : nullptr, scene.Bounds, options,
-          monitor.Part(done / count, (done + 1.0) / count), grids[k]))
-    {
-      return false;
-    }
-  }
-  return true;
+  return FillVisibilityGrids(
+    conesOf, lights, this->Method == Exact ? &occluders : nullptr, scene.Bounds, options, MonitorOf(this), grids);
 }
 
 int vtkVisibilityVolume::RequestData(

@@ -111,9 +111,9 @@ vtkAreaLightSource::vtkAreaLightSource()
   this->SetNumberOfInputPorts(0);
 }
 
-scDefineSpectrum(vtkAreaLightSource, Radiance)
+scDefineSpectrum(vtkAreaLightSource, Radiance);
 
-  int vtkAreaLightSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+int vtkAreaLightSource::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   // Every piece needs the whole light.
   outputs->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);

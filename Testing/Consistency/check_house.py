@@ -7,7 +7,7 @@ import house_numbers
 import sourcetree
 
 # Runs of six and more equal lines that are there for a reason or await one; the number may fall, not rise.
-RUNS = 8
+RUNS = 6
 
 
 def faults(root):

@@ -537,8 +537,7 @@ double VisibilityAt(const VisibilityGrid& grid, const Vector3& point)
 const char* CheckVisibilityGridOptions(const VisibilityGridOptions& options)
 {
   const std::array<int, 3>& n = options.Dimensions;
-  if (std::min({ n[0], n[1], n[2] }) < 2 ||
-    static_cast<double>(n[0]) * n[1] * n[2] > std::numeric_limits<int>::max())
+  if (std::min({ n[0], n[1], n[2] }) < 2 || static_cast<double>(n[0]) * n[1] * n[2] > std::numeric_limits<int>::max())
   {
     return "Dimensions must each be at least 2, and all together at most 2^31 - 1 points";
   }
@@ -568,6 +567,24 @@ bool FillVisibilityGrid(const std::vector<Cone>& cones, const Light& light, cons
     throw std::invalid_argument("the bounds of a visibility grid must have a finite volume");
   }
   return Filler(cones, light, scene, bounds, options, grid).Fill(bounds, monitor);
+}
+
+bool FillVisibilityGrids(const std::vector<std::vector<Cone>>& conesOf, const std::vector<Light>& lights,
+  const OccluderScene* scene, const Box& bounds, const VisibilityGridOptions& options, const Monitor& monitor,
+  std::vector<VisibilityGrid>& grids)
+{
+  const auto count = static_cast<double>(lights.size());
+  grids.resize(lights.size());
+  for (std::size_t k = 0; k < lights.size(); ++k)
+  {
+    const auto done = static_cast<double>(k);
+    if (!FillVisibilityGrid(
+          conesOf[k], lights[k], scene, bounds, options, monitor.Part(done / count, (done + 1.0) / count), grids[k]))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 } // namespace shadowcones

@@ -91,6 +91,10 @@ SHADOWCONESCORE_EXPORT const char* CheckVisibilityGridOptions(const VisibilityGr
 SHADOWCONESCORE_EXPORT bool FillVisibilityGrid(const std::vector<Cone>& cones, const Light& light,
   const OccluderScene* scene, const Box& bounds, const VisibilityGridOptions& options, const Monitor& monitor,
   VisibilityGrid& grid);
+/// The same for each of several lights, by cones of its own.
+SHADOWCONESCORE_EXPORT bool FillVisibilityGrids(const std::vector<std::vector<Cone>>& conesOf,
+  const std::vector<Light>& lights, const OccluderScene* scene, const Box& bounds, const VisibilityGridOptions& options,
+  const Monitor& monitor, std::vector<VisibilityGrid>& grids);
 
 } // namespace shadowcones
 
