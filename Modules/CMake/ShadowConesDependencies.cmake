@@ -7,7 +7,7 @@ endif ()
 
 if (NOT SHADOWCONES_BUILD_PARAVIEW_PLUGIN)
   set(_components CommonCore CommonDataModel CommonExecutionModel CommonMath FiltersCore FiltersGeneral
-    ParallelCore RenderingCore IOXML)
+    FiltersGeometry IOGeometry IOLegacy IOPLY IOXML ParallelCore RenderingCore)
   if (SHADOWCONES_WRAP_PYTHON)
     list(APPEND _components WrappingPythonCore)
   endif ()

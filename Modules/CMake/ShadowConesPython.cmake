@@ -2,7 +2,7 @@
 # The Python package 'shadowcones': every wrapped class under one name.
 set(_package_dir "lib/python3/dist-packages")
 vtk_module_wrap_python(
-  MODULES ShadowCones::Sources ShadowCones::Filters ShadowCones::Imaging
+  MODULES ShadowCones::Sources ShadowCones::Filters ShadowCones::Imaging ShadowCones::Words
   TARGET ShadowConesPythonWrapped
   PYTHON_PACKAGE "shadowcones"
   MODULE_DESTINATION "${_package_dir}"
@@ -11,7 +11,24 @@ vtk_module_wrap_python(
   INSTALL_HEADERS OFF
   BUILD_STATIC OFF)
 
-configure_file("${CMAKE_CURRENT_LIST_DIR}/__init__.py.in"
-  "${CMAKE_BINARY_DIR}/${_package_dir}/shadowcones/__init__.py" @ONLY)
-install(FILES "${CMAKE_BINARY_DIR}/${_package_dir}/shadowcones/__init__.py"
-  DESTINATION "${_package_dir}/shadowcones")
+# Beside the wrapped classes: the helpers, each for one purpose, with their types.
+set(_source_dir "${PROJECT_SOURCE_DIR}/Modules/Python")
+set(_built_dir "${CMAKE_BINARY_DIR}/${_package_dir}/shadowcones")
+# Types of the wrapped classes: VTK 9.1 writes none.
+file(GLOB _headers CONFIGURE_DEPENDS
+  "${PROJECT_SOURCE_DIR}/Modules/Sources/vtk*.h" "${PROJECT_SOURCE_DIR}/Modules/Filters/vtk*.h"
+  "${PROJECT_SOURCE_DIR}/Modules/Imaging/vtk*.h" "${PROJECT_SOURCE_DIR}/Modules/Words/vtk*.h")
+set(_class_stubs)
+foreach (_header IN LISTS _headers)
+  get_filename_component(_class "${_header}" NAME_WE)
+  string(APPEND _class_stubs "class ${_class}(_Wrapped): ...\n")
+endforeach ()
+configure_file("${_source_dir}/__init__.py.in" "${_built_dir}/__init__.py" @ONLY)
+configure_file("${_source_dir}/__init__.pyi.in" "${_built_dir}/__init__.pyi" @ONLY)
+file(GLOB _sources CONFIGURE_DEPENDS RELATIVE "${_source_dir}"
+  "${_source_dir}/*.py" "${_source_dir}/py.typed")
+foreach (_source IN LISTS _sources)
+  configure_file("${_source_dir}/${_source}" "${_built_dir}/${_source}" COPYONLY)
+endforeach ()
+list(TRANSFORM _sources PREPEND "${_built_dir}/")
+install(FILES "${_built_dir}/__init__.py" "${_built_dir}/__init__.pyi" ${_sources} DESTINATION "${_package_dir}/shadowcones")

@@ -1,6 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every class has a page, a test, a Python example, an entry in the ParaView plugin, its page's list, and the changelog."""
+"""Every class has a page, a test, a Python example, an entry in the ParaView plugin, its page's list, and the changelog.
+
+A helper, which has no ports, has a test, a line of the changelog, and a page that speaks of it.
+"""
 
 import os
 import re
@@ -31,6 +34,13 @@ def faults(root):
             yield f"{name}: Documentation/3-paraview.md lists it {len(rows)} times"
         if not mentioned(r"CHANGELOG\.md", rf"\b{name}\b"):
             yield f"{name}: no line in CHANGELOG.md"
+    for module, name in sourcetree.classes(root, "helpers"):
+        for pattern, word, lacking in (
+                (rf"Modules/{module}/Testing/Cxx/Test\w+\.cxx", rf'#include "{name}\.h"', "no test includes it"),
+                (r"Documentation/\d+-[\w-]+\.md", rf"\b{name}\b", "no page speaks of it"),
+                (r"CHANGELOG\.md", rf"\b{name}\b", "no line in CHANGELOG.md")):
+            if not mentioned(pattern, word):
+                yield f"{name}: {lacking}"
 
 
 if __name__ == "__main__":

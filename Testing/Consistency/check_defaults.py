@@ -76,7 +76,7 @@ def faults(root):
     except ImportError:
         package = None
         yield "the Python package 'shadowcones' is not on PYTHONPATH"
-    for module, name in sourcetree.classes(root):
+    for module, name in [*sourcetree.classes(root), *sourcetree.classes(root, "helpers")]:
         path = f"Modules/{module}/{name}.h"
         if not os.path.exists(os.path.join(root, path)):
             continue

@@ -23,7 +23,7 @@ def faults(root):
     except ImportError:
         yield "the Python package 'shadowcones' is not on PYTHONPATH"
         return
-    for _, name in sourcetree.classes(root):
+    for _, name in [*sourcetree.classes(root), *sourcetree.classes(root, "helpers")]:
         for method, value in sorted(vars(getattr(package, name, object)).items()):
             if re.fullmatch(r"(Set|Get|Add|Remove)[A-Z]\w*|[A-Z]\w*(On|Off)", method) and not has_text(value.__doc__):
                 yield f"{name}: {method} has no help text in Python"

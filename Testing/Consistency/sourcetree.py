@@ -42,12 +42,15 @@ def cmake_lists(root):
             yield match.group(1), re.findall(r"[()]|[^\s()]+", re.sub(r"#[^\n]*", "", text(root, path)))
 
 
-def classes(root):
-    """(module, class) of every class that is listed in a module's set(classes ...)."""
+def classes(root, kind="classes"):
+    """(module, class) of every class that is listed in a module's set(classes ...): filters and sources.
+
+    Of the kind "helpers": classes without ports, which have no place in ParaView.
+    """
     for module, words in cmake_lists(root):
         inside = False
         for before, word in zip([""] + words, words):
-            if word == "classes" and before == "(":
+            if word == kind and before == "(":
                 inside = True
             elif word == ")":
                 inside = False
@@ -57,7 +60,7 @@ def classes(root):
 
 def installed_headers(root):
     """Paths of the headers that are installed: of classes, and what else a CMakeLists.txt names, private ones aside."""
-    for module, name in classes(root):
+    for module, name in [*classes(root), *classes(root, "helpers")]:
         yield f"Modules/{module}/{name}.h"
     for module, words in cmake_lists(root):
         private = False

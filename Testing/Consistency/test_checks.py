@@ -321,6 +321,16 @@ int Long(
         twice = 2 * SOUND["Documentation/3-paraview.md"]
         self.assertEqual(len(self.faults(check_classes, {"Documentation/3-paraview.md": twice})), 1)
 
+    def test_helpers(self):
+        lists = {"Modules/Words/CMakeLists.txt": CMAKE + "set(helpers\n  vtkWords)\n",
+                 "Modules/Words/vtkWords.h": LICENCE + '#include "vtkObject.h"\n'}
+        self.assertEqual(len(self.faults(check_classes, lists)), 3)
+        told = {**lists, "Modules/Words/Testing/Cxx/TestWords.cxx": LICENCE + '#include "vtkWords.h"\n',
+                "Documentation/9-words.md": "`vtkWords`\n", "CHANGELOG.md": "`vtkThing`, `vtkWords`\n"}
+        self.assertEqual(self.faults(check_classes, told), [])
+        inside = {**lists, "Modules/Words/vtkWords.h": LICENCE + '#include "scInside.h"\n'}
+        self.assertEqual(len(self.faults(check_installed_headers, inside)), 1)
+
 
 if __name__ == "__main__":
     unittest.main()

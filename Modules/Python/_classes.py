@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ShadowCones: shadow vectors, cone sets and light-shaft images from a mesh and an area light."""
+"""Every wrapped class of the modules."""
 
 # VTK's own modules first: the classes below derive from theirs.
 import vtkmodules.vtkCommonDataModel
@@ -9,5 +9,4 @@ import vtkmodules.vtkRenderingCore
 from .ShadowConesSources import *
 from .ShadowConesFilters import *
 from .ShadowConesImaging import *
-
-__version__ = "@PROJECT_VERSION@"
+from .ShadowConesWords import *
