@@ -117,12 +117,11 @@ std::string CompareFingerprints(const char* name, vtkFieldData* data, const std:
 }
 
 std::uint64_t CompareCasters(
-  const TriangleMesh& mesh, int meshPort, vtkFieldData* made, const std::string& input, Warnings& warnings)
+  std::uint64_t casters, int meshPort, vtkFieldData* made, const std::string& input, Warnings& warnings)
 {
-  const std::uint64_t own = CastersFingerprintOf(mesh);
-  warnings.Add(CompareFingerprints(castersFingerprint, made, { own }, input,
+  warnings.Add(CompareFingerprints(castersFingerprint, made, { casters }, input,
     "casters than those of the mesh on input port " + std::to_string(meshPort)));
-  return own;
+  return casters;
 }
 
 } // namespace shadowcones

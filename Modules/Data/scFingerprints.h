@@ -45,11 +45,11 @@ SHADOWCONESDATA_EXPORT std::string CompareFingerprints(const char* name, vtkFiel
   const std::vector<std::uint64_t>& own, const std::string& input, const std::string& from);
 
 /**
- * The fingerprint of the casters of the mesh on input port @p meshPort. Warns where the field data @p made, of what @p input names
- * as above, tell of other casters.
+ * Warns where the field data @p made, of what @p input names as above, tell of other casters than those of the mesh on input
+ * port @p meshPort, whose fingerprint is @p casters. @return that one.
  */
 SHADOWCONESDATA_EXPORT std::uint64_t CompareCasters(
-  const TriangleMesh& mesh, int meshPort, vtkFieldData* made, const std::string& input, Warnings& warnings);
+  std::uint64_t casters, int meshPort, vtkFieldData* made, const std::string& input, Warnings& warnings);
 
 } // namespace shadowcones
 

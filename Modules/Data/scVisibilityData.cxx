@@ -3,6 +3,7 @@
 
 #include "scFieldArrays.h"
 #include "scFingerprint.h"
+#include "scParallel.h"
 #include "scSentence.h"
 
 #include "vtkDataArray.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -85,6 +87,49 @@ bool ReadPlacement(vtkImageData* input, VisibilityGrid& grid, std::string& error
   return true;
 }
 
+/// @param shadow its class; below 0: as the value says. @return false where the value is out of range.
+bool SetValue(std::size_t id, double value, double shadow, bool marked, VisibilityGrid& grid)
+{
+  if (!(value >= 0.0 && value <= 1.0))
+  {
+    return false;
+  }
+  const ShadowClass byValue =
+    value == 1.0 ? ShadowClass::Lit : (value == 0.0 ? ShadowClass::Umbra : ShadowClass::Penumbra);
+  grid.Visibility[id] = static_cast<float>(value);
+  grid.ShadowClasses[id] = static_cast<unsigned char>(shadow < 0.0 ? static_cast<double>(byValue) : shadow);
+  grid.Marked[id] = value < 1.0 || marked ? 1 : 0;
+  return true;
+}
+
+/// The values of one of some lights, by several threads; @p classes and @p marked may be null. @return the first point whose
+/// value is out of range, or -1.
+vtkIdType CopyValues(const float* values, const unsigned char* classes, const unsigned char* marked, int light,
+  int lights, VisibilityGrid& grid)
+{
+  const auto count = static_cast<vtkIdType>(grid.Visibility.size());
+  std::atomic<vtkIdType> firstBad{ count };
+  ParallelFor(count, {},
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const vtkIdType at = i * lights + light;
+        if (!SetValue(static_cast<std::size_t>(i), static_cast<double>(values[at]),
+              classes ? static_cast<double>(classes[at]) : -1.0, marked && marked[i] != 0, grid))
+        {
+          vtkIdType known = firstBad;
+          while (i < known && !firstBad.compare_exchange_weak(known, i))
+          {
+          }
+          return;
+        }
+      }
+    });
+  const vtkIdType first = firstBad;
+  return first < count ? first : -1;
+}
+
 /// Of the light of this index.
 bool ReadValues(vtkImageData* input, int light, int lights, VisibilityGrid& grid, std::string& error)
 {
@@ -104,25 +149,35 @@ bool ReadValues(vtkImageData* input, int light, int lights, VisibilityGrid& grid
   grid.Visibility.resize(static_cast<std::size_t>(count));
   grid.ShadowClasses.resize(grid.Visibility.size());
   grid.Marked.resize(grid.Visibility.size());
-  for (vtkIdType i = 0; i < count; ++i)
+  auto* floats = vtkFloatArray::FastDownCast(visibility);
+  auto* classBytes = vtkUnsignedCharArray::FastDownCast(classes);
+  auto* markedBytes = vtkUnsignedCharArray::FastDownCast(marked);
+  vtkIdType bad = -1;
+  if (floats && (!classes || classBytes) && (!marked || markedBytes))
   {
-    const double value = visibility->GetComponent(i, light);
-    if (!(value >= 0.0 && value <= 1.0))
-    {
-      std::ostringstream text;
-      text << "\"Visibility\" of the visibility volume is " << value << " at point " << i << ": it must be in 0..1.";
-      error = text.str();
-      return false;
-    }
-    const ShadowClass byValue =
-      value == 1.0 ? ShadowClass::Lit : (value == 0.0 ? ShadowClass::Umbra : ShadowClass::Penumbra);
-    const auto id = static_cast<std::size_t>(i);
-    grid.Visibility[id] = static_cast<float>(value);
-    grid.ShadowClasses[id] =
-      static_cast<unsigned char>(classes ? classes->GetComponent(i, light) : static_cast<double>(byValue));
-    grid.Marked[id] = value < 1.0 || (marked && marked->GetComponent(i, 0) != 0.0) ? 1 : 0;
+    const auto valuesOf = [](auto* array) { return array ? array->GetPointer(0) : nullptr; };
+    bad = CopyValues(floats->GetPointer(0), valuesOf(classBytes), valuesOf(markedBytes), light, lights, grid);
   }
-  return true;
+  else
+  {
+    // Arrays of other types need not be safe to ask from several threads.
+    for (vtkIdType i = 0; i < count && bad < 0; ++i)
+    {
+      const double value = visibility->GetComponent(i, light);
+      bad = SetValue(static_cast<std::size_t>(i), value, classes ? classes->GetComponent(i, light) : -1.0,
+              marked && marked->GetComponent(i, 0) != 0.0, grid)
+        ? -1
+        : i;
+    }
+  }
+  if (bad >= 0)
+  {
+    std::ostringstream text;
+    text << "\"Visibility\" of the visibility volume is " << visibility->GetComponent(bad, light) << " at point " << bad
+         << ": it must be in 0..1.";
+    error = text.str();
+  }
+  return bad < 0;
 }
 
 /// Of the values at the points of the lights' grids, which the bricks refine.

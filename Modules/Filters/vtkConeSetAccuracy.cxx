@@ -227,7 +227,7 @@ bool vtkConeSetAccuracy::ReadInputs(vtkInformationVector** inputVector, Inputs& 
     in.Bounds.Add(MeshBounds(in.Mesh.View()));
   }
   in.Fingerprint =
-    CompareCasters(in.Mesh, meshPort, in.ConeSet->GetFieldData(), "The cone set on input port 1", in.Said);
+    CompareCasters(CastersFingerprintOf(in.Mesh), meshPort, in.ConeSet->GetFieldData(), "The cone set on input port 1", in.Said);
   DropReceivers(in.Mesh);
   AssignCones(in.ConeSet, in.Lights, in.Cones);
   in.Said.Add(in.Lights.Warnings);

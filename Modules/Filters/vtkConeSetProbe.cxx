@@ -7,9 +7,10 @@
 #include "scFingerprints.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
-#include "scMeshData.h"
 #include "scOccluderNames.h"
 #include "scParameterRanges.h"
+#include "scPreparedInputs.h"
+#include "scPreparedScene.h"
 #include "scProbePoints.h"
 #include "scSceneLights.h"
 #include "scSentence.h"
@@ -48,7 +49,7 @@ struct vtkConeSetProbe::Inputs
   ProbePoints Points;
   std::vector<Cone> Cones;
   SceneLights Lights;
-  TriangleMesh Mesh;
+  std::shared_ptr<const PreparedMesh> Mesh; ///< Exact: its casters; else an empty one
   std::vector<std::string> OccluderNames;
   std::vector<std::uint64_t> Fingerprints; ///< of the casters
   Warnings Said;
@@ -57,10 +58,14 @@ struct vtkConeSetProbe::Inputs
 vtkStandardNewMacro(vtkConeSetProbe);
 
 vtkConeSetProbe::vtkConeSetProbe()
+  : Prepared(std::make_unique<PreparedUser>())
 {
   this->SetNumberOfInputPorts(4);
 }
 
+vtkConeSetProbe::~vtkConeSetProbe() = default;
+
+scDefinePreparedScene(vtkConeSetProbe);
 scDefineInputPort(vtkConeSetProbe, ConeSet, coneSetPort);
 scDefineInputPort(vtkConeSetProbe, Mesh, meshPort);
 scDefineLightPort(vtkConeSetProbe, lightPort);
@@ -110,31 +115,33 @@ std::string vtkConeSetProbe::CheckRequest(vtkDataObject* cones, bool hasLight, v
 }
 
 bool vtkConeSetProbe::ReadInputs(
-  vtkInformationVector** inputVector, vtkFieldData* coneData, Inputs& in, std::string& error) const
+  vtkInformationVector** inputVector, vtkFieldData* coneData, Inputs& in, std::string& error)
 {
   vtkPolyData* coneInput = vtkPolyData::GetData(inputVector[coneSetPort]);
   vtkDataObject* meshInput = vtkDataObject::GetData(inputVector[meshPort]);
   const bool exact = this->Method == Exact;
   error = this->CheckRequest(coneInput, inputVector[lightPort]->GetNumberOfInformationObjects() > 0, meshInput);
   if (!error.empty() || (coneInput && !ReadConeSet(coneInput, in.Cones, error)) ||
-    !ReadLights(inputVector[lightPort], in.Lights, error) || (exact && !ReadTriangles(meshInput, in.Mesh, error)) ||
+    !ReadLights(inputVector[lightPort], in.Lights, error) ||
+    !(in.Mesh = PrepareMesh(*this->Prepared, exact ? meshInput : nullptr, error)) ||
     !ReadProbePoints(
       vtkDataSet::GetData(inputVector[0]), this->Association == Cells, this->UseNormals, in.Points, error))
   {
     return false;
   }
-  if (exact && in.Mesh.Triangles.empty() && in.Mesh.NumberOfCells > 0)
+  if (exact && in.Mesh->Mesh.Triangles.empty() && in.Mesh->Mesh.NumberOfCells > 0)
   {
-    error = Sentence("The mesh on input port 3 has ", in.Mesh.NumberOfCells,
+    error = Sentence("The mesh on input port 3 has ", in.Mesh->Mesh.NumberOfCells,
       " cells and no polygon: shadows need surfaces. Run vtkDataSetSurfaceFilter first, or use Soft.");
     return false;
   }
-  in.OccluderNames = exact ? in.Mesh.OccluderNames : ReadOccluderNames(coneData);
+  in.OccluderNames = exact ? in.Mesh->Mesh.OccluderNames : ReadOccluderNames(coneData);
   in.Fingerprints = ReadFingerprints(castersFingerprint, coneData);
   if (exact)
   {
-    in.Fingerprints = { CompareCasters(in.Mesh, meshPort, coneData, "The cone set on input port 1", in.Said) };
-    DropReceivers(in.Mesh);
+    in.Fingerprints = { CompareCasters(
+      in.Mesh->CastersFingerprint, meshPort, coneData, "The cone set on input port 1", in.Said) };
+    in.Mesh = PrepareCasters(*this->Prepared, in.Mesh);
   }
   else
   {
@@ -161,14 +168,14 @@ bool vtkConeSetProbe::Probe(const Inputs& in, VisibilityResult& result)
   options.Seed = static_cast<std::uint64_t>(this->Seed);
   options.OnSurfaces = in.Points.OnSurfaces;
   const std::vector<Light>& lights = in.Lights.Lights;
-  const OccluderScene scene(in.Mesh.View());
+  const std::shared_ptr<const PreparedOccluders> occluders = PrepareOccluders(*this->Prepared, in.Mesh);
   const std::vector<std::vector<Cone>> conesOf = ConesOfLights(in.Cones, lights.size());
   std::vector<std::unique_ptr<const VisibilityProbe>> probes;
   std::vector<const VisibilityProbe*> asked;
   for (std::size_t k = 0; k < lights.size(); ++k)
   {
     probes.push_back(std::make_unique<const VisibilityProbe>(
-      conesOf[k], lights[k], options.Method == VisibilityMethod::Exact ? &scene : nullptr, in.Points.Bounds, options));
+      conesOf[k], lights[k], options.Method == VisibilityMethod::Exact ? &occluders->Scene : nullptr, in.Points.Bounds, options));
     asked.push_back(probes.back().get());
   }
   const double* normals = in.Points.Normals.empty() ? nullptr : in.Points.Normals.data();
@@ -179,6 +186,7 @@ int vtkConeSetProbe::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const FilterRun run(this, request, inputVector, outputVector);
+  const PreparedRun prepared(*this->Prepared);
   vtkPolyData* coneInput = vtkPolyData::GetData(inputVector[coneSetPort]);
   vtkNew<vtkFieldData> none;
   vtkFieldData* coneData = coneInput ? coneInput->GetFieldData() : none.Get();
@@ -212,7 +220,7 @@ int vtkConeSetProbe::RequestData(
     atCells ? static_cast<vtkDataSetAttributes*>(output->GetCellData()) : output->GetPointData());
   const auto numberOfCones = static_cast<vtkIdType>(in.Cones.size());
   in.Said.Add(in.Lights.Warnings);
-  in.Said.Add(EmptyConeSet(numberOfCones, static_cast<vtkIdType>(in.Mesh.Triangles.size() / 3)));
+  in.Said.Add(EmptyConeSet(numberOfCones, static_cast<vtkIdType>(in.Mesh->Mesh.Triangles.size() / 3)));
   in.Said.Add(this->Method == Exact ? TooManyDiscarded(coneData) : std::string());
   if (RequestedPiece(request, outputVector).NumberOfPieces == 1)
   {
@@ -238,4 +246,6 @@ void vtkConeSetProbe::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
   os << indent << "UseNormals: " << (this->UseNormals ? "on" : "off") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";
+  os << indent << "PreparedMemory: " << this->GetPreparedMemory() << "\n";
 }

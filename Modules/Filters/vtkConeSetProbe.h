@@ -50,12 +50,14 @@
 #include "ShadowConesFiltersModule.h"
 #include "vtkDataSetAlgorithm.h"
 
+#include <memory>
 #include <string>
 
 class vtkFieldData;
 
 namespace shadowcones
 {
+class PreparedUser;
 struct VisibilityResult;
 }
 
@@ -143,9 +145,24 @@ public:
   vtkGetMacro(Seed, int); ///< Seed of the light samples.
   ///@}
 
+  ///@{
+  /**
+   * What is kept from one run to the next of what is costly to build: mesh and search tree. It stands for as long as
+   * the inputs that it is made from do not change. Another filter takes the same things instead of building its own
+   * where a script hands the scene on: other->SetPreparedScene(this->GetPreparedScene()); the two then keep what both
+   * need once. Results do not depend on it. nullptr: a scene of its own again.
+   */
+  vtkObject* GetPreparedScene();
+  void SetPreparedScene(vtkObject* scene); ///< Keep what is costly to build together with another filter.
+  void ReleasePreparedScene(); ///< Free the memory; what is needed is built again.
+  vtkTypeInt64 GetPreparedMemory(); ///< Bytes that the prepared scene takes.
+  /// How often this filter has built any of it: it does not grow where an update finds all that it needs.
+  vtkIdType GetNumberOfPreparations();
+  ///@}
+
 protected:
   vtkConeSetProbe();
-  ~vtkConeSetProbe() override = default;
+  ~vtkConeSetProbe() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -156,7 +173,7 @@ private:
   /// True where parameters and inputs are there; else the error is reported.
   struct Inputs;
 
-  bool ReadInputs(vtkInformationVector** inputVector, vtkFieldData* coneData, Inputs& in, std::string& error) const;
+  bool ReadInputs(vtkInformationVector** inputVector, vtkFieldData* coneData, Inputs& in, std::string& error);
   /// @return false where aborted.
   bool Probe(const Inputs& in, shadowcones::VisibilityResult& result);
   /// What is wrong with the parameters, or with what is connected, as a sentence; empty where nothing is.
@@ -170,6 +187,8 @@ private:
   int NumberOfLightSamples = 64;
   bool UseNormals = true;
   int Seed = 1;
+
+  std::unique_ptr<shadowcones::PreparedUser> Prepared;
 };
 
 #endif

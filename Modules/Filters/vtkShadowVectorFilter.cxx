@@ -6,9 +6,10 @@
 #include "scFingerprints.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
-#include "scMeshData.h"
 #include "scOccluderNames.h"
 #include "scParameterRanges.h"
+#include "scPreparedInputs.h"
+#include "scPreparedScene.h"
 #include "scSceneLights.h"
 #include "scSentence.h"
 #include "scShadowVectors.h"
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 
 using namespace shadowcones;
 
@@ -54,11 +56,15 @@ Warnings ReportPhotons(const TriangleMesh& mesh, const ShadowVectorOptions& opti
 vtkStandardNewMacro(vtkShadowVectorFilter);
 
 vtkShadowVectorFilter::vtkShadowVectorFilter()
+  : Prepared(std::make_unique<PreparedUser>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
 }
 
+vtkShadowVectorFilter::~vtkShadowVectorFilter() = default;
+
+scDefinePreparedScene(vtkShadowVectorFilter);
 scDefineLightPort(vtkShadowVectorFilter, lightPort);
 
 int vtkShadowVectorFilter::FillInputPortInformation(int port, vtkInformation* info)
@@ -99,8 +105,8 @@ std::string vtkShadowVectorFilter::CheckParameters() const
     OneOf("Storage", this->Storage, { "BackSide", "HitPoint" }) });
 }
 
-bool vtkShadowVectorFilter::ReadInputs(
-  vtkInformationVector** inputVector, TriangleMesh& mesh, SceneLights& lights, std::string& error) const
+bool vtkShadowVectorFilter::ReadInputs(vtkInformationVector** inputVector,
+  std::shared_ptr<const PreparedMesh>& prepared, SceneLights& lights, std::string& error)
 {
   if (inputVector[lightPort]->GetNumberOfInformationObjects() == 0)
   {
@@ -108,10 +114,11 @@ bool vtkShadowVectorFilter::ReadInputs(
     return false;
   }
   if (!ReadLights(inputVector[lightPort], lights, error) ||
-    !ReadTriangles(vtkDataObject::GetData(inputVector[0]), mesh, error))
+    !(prepared = PrepareMesh(*this->Prepared, vtkDataObject::GetData(inputVector[0]), error)))
   {
     return false;
   }
+  const TriangleMesh& mesh = prepared->Mesh;
   if (mesh.Triangles.empty() && mesh.NumberOfCells > 0)
   {
     error = Sentence("The mesh on input port 0 has ", mesh.NumberOfCells,
@@ -132,13 +139,15 @@ int vtkShadowVectorFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const FilterRun run(this, request, inputVector, outputVector);
+  const PreparedRun keeping(*this->Prepared);
   std::string error;
-  TriangleMesh mesh;
+  std::shared_ptr<const PreparedMesh> prepared;
   SceneLights lights;
-  if (!run.AreInputsWhole(error) || !this->ReadInputs(inputVector, mesh, lights, error))
+  if (!run.AreInputsWhole(error) || !this->ReadInputs(inputVector, prepared, lights, error))
   {
     return run.Fail(error);
   }
+  const TriangleMesh& mesh = prepared->Mesh;
   ShadowVectorOptions options;
   options.NumberOfPhotons = this->NumberOfPhotons;
   options.TargetNumberOfVectors = mesh.Triangles.empty() ? 0 : this->TargetNumberOfVectors;
@@ -151,8 +160,8 @@ int vtkShadowVectorFilter::RequestData(
   ShadowVectorResult result;
   try
   {
-    const OccluderScene scene(mesh.View());
-    if (!mesh.Triangles.empty() && !TraceShadowVectors(scene, lights.Lights, options, MonitorOf(this), result))
+    const std::shared_ptr<const PreparedOccluders> occluders = PrepareOccluders(*this->Prepared, prepared);
+    if (!mesh.Triangles.empty() && !TraceShadowVectors(occluders->Scene, lights.Lights, options, MonitorOf(this), result))
     {
       return 1; // aborted: the outputs stay empty
     }
@@ -165,7 +174,6 @@ int vtkShadowVectorFilter::RequestData(
   WriteShadowVectors(result.Vectors, vtkPolyData::GetData(outputVector, 0));
   WritePhotonPaths(result.Paths, vtkPolyData::GetData(outputVector, 1));
   WriteShadowPhotons(result.Photons, vtkPolyData::GetData(outputVector, 2));
-  const std::uint64_t fingerprint = CastersFingerprintOf(mesh);
   for (int port = 0; port < 3; ++port)
   {
     vtkPolyData* output = vtkPolyData::GetData(outputVector, port);
@@ -177,7 +185,7 @@ int vtkShadowVectorFilter::RequestData(
     AddIdArray(field, "NumberOfAimedPhotons", { result.NumberOfAimedPhotons });
     AddIdArray(field, "PhotonsOfLights", result.PhotonsOfLights);
     WriteOccluderNames(mesh.OccluderNames, field);
-    WriteFingerprints(castersFingerprint, { fingerprint }, field);
+    WriteFingerprints(castersFingerprint, { prepared->CastersFingerprint }, field);
     WriteLights(lights.Lights, output);
   }
   Warnings warnings = piece.NumberOfPieces == 1 ? ReportPhotons(mesh, options, result) : Warnings();
@@ -194,4 +202,6 @@ void vtkShadowVectorFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumVectorsPerOccluder: " << this->MinimumVectorsPerOccluder << "\n";
   os << indent << "Storage: " << (this->Storage == BackSide ? "BackSide" : "HitPoint") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";
+  os << indent << "PreparedMemory: " << this->GetPreparedMemory() << "\n";
 }

@@ -48,12 +48,14 @@
 #include "ShadowConesFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory>
 #include <string>
 
 namespace shadowcones
 {
+class PreparedUser;
+struct PreparedMesh;
 struct SceneLights;
-struct TriangleMesh;
 } // namespace shadowcones
 
 class SHADOWCONESFILTERS_EXPORT vtkShadowVectorFilter : public vtkPolyDataAlgorithm
@@ -129,9 +131,24 @@ public:
     this->SetMinimumVectorsPerOccluder(0);
   }
 
+  ///@{
+  /**
+   * What is kept from one run to the next of what is costly to build: mesh and search tree. It stands for as long as
+   * the inputs that it is made from do not change. Another filter takes the same things instead of building its own
+   * where a script hands the scene on: other->SetPreparedScene(this->GetPreparedScene()); the two then keep what both
+   * need once. Results do not depend on it. nullptr: a scene of its own again.
+   */
+  vtkObject* GetPreparedScene();
+  void SetPreparedScene(vtkObject* scene); ///< Keep what is costly to build together with another filter.
+  void ReleasePreparedScene(); ///< Free the memory; what is needed is built again.
+  vtkTypeInt64 GetPreparedMemory(); ///< Bytes that the prepared scene takes.
+  /// How often this filter has built any of it: it does not grow where an update finds all that it needs.
+  vtkIdType GetNumberOfPreparations();
+  ///@}
+
 protected:
   vtkShadowVectorFilter();
-  ~vtkShadowVectorFilter() override = default;
+  ~vtkShadowVectorFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -145,14 +162,16 @@ private:
   /// What is wrong with the parameters, as a sentence; empty where nothing is.
   std::string CheckParameters() const;
   /// @return false, with a sentence in @p error, where something is missing or wrong.
-  bool ReadInputs(vtkInformationVector** inputVector, shadowcones::TriangleMesh& mesh, shadowcones::SceneLights& lights,
-    std::string& error) const;
+  bool ReadInputs(vtkInformationVector** inputVector, std::shared_ptr<const shadowcones::PreparedMesh>& prepared,
+    shadowcones::SceneLights& lights, std::string& error);
 
   vtkIdType NumberOfPhotons = 40000;
   vtkIdType TargetNumberOfVectors = 0;
   int MinimumVectorsPerOccluder = 32;
   int Storage = HitPoint;
   int Seed = 1;
+
+  std::unique_ptr<shadowcones::PreparedUser> Prepared;
 };
 
 #endif

@@ -85,11 +85,11 @@ void ReportImage(const ImageScene& scene, const ScatteringImage& image, bool who
   const PixelCounts counts = CountPixels(image, options);
   if (options.Mode == ScatteringMode::Volume)
   {
-    warnings.Add(MediumBeyondVolume(FractionBeyond(scene.Medium.Bounds, scene.Visibility.front())));
+    warnings.Add(MediumBeyondVolume(FractionBeyond(scene.Medium.Bounds, scene.Grids->Grids.front())));
   }
   if (options.Mode == ScatteringMode::Soft)
   {
-    for (const VisibilityGrid& grid : scene.Visibility)
+    for (const VisibilityGrid& grid : scene.Grids->Grids)
     {
       warnings.Add(TooCoarse(grid,
         "Raise SoftDimensions, or take a vtkVisibilityVolume of Method Soft, which refines such cells, and Mode "

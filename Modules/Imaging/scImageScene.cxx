@@ -3,15 +3,11 @@
 
 #include "scCone.h"
 #include "scConeData.h"
-#include "scConeHierarchy.h"
-#include "scDensityData.h"
 #include "scFingerprints.h"
 #include "scImageOutput.h"
-#include "scMeshData.h"
 #include "scOccluderNames.h"
 #include "scOptionalBounds.h"
 #include "scViewCamera.h"
-#include "scVisibilityData.h"
 
 #include "scRenderScattering.h"
 #include "scScatteringScene.h"
@@ -45,8 +41,8 @@ void CompareCasters(const ImageInputs& inputs, ImageScene& scene)
       "The visibility volume on input port 3" } };
   if (inputs.Mesh)
   {
-    scene.OccluderNames = scene.Mesh.OccluderNames;
-    scene.CastersFingerprints = { CastersFingerprintOf(scene.Mesh) };
+    scene.OccluderNames = scene.Mesh->Mesh.OccluderNames;
+    scene.CastersFingerprints = { scene.Mesh->CastersFingerprint };
   }
   for (const auto& input : made)
   {
@@ -67,25 +63,47 @@ void CompareCasters(const ImageInputs& inputs, ImageScene& scene)
 void WarnOfCones(const ImageInputs& inputs, ImageScene& scene)
 {
   const ScatteringMode mode = scene.Options.Mode;
-  scene.Said.Add(EmptyConeSet(static_cast<vtkIdType>(scene.Cones.size()), CountCasters(scene.Mesh)));
+  scene.Said.Add(EmptyConeSet(static_cast<vtkIdType>(scene.Cones.size()), scene.Mesh->NumberOfCasters));
   if (mode == ScatteringMode::Medium || mode == ScatteringMode::Guided || mode == ScatteringMode::Volume)
   {
     scene.Said.Add(TooManyDiscarded(inputs.Cones->GetFieldData()));
   }
 }
+
+/// Soft: what the discs hide, on a grid for each light. @return false where aborted.
+bool FillSoftGrids(const std::vector<std::vector<Cone>>& conesOf, const Monitor& monitor, ImageScene& scene)
+{
+  VisibilityGridOptions& soft = scene.Soft;
+  soft.Method = VisibilityMethod::Soft;
+  soft.Seed = scene.Options.Seed;
+  PreparedKey key(PreparedKind::SoftGrids);
+  key.Add(scene.ConeStamps).Add(scene.Medium.Bounds).Add(soft.Seed);
+  for (const int number : { soft.Dimensions[0], soft.Dimensions[1], soft.Dimensions[2], soft.NumberOfLightSamples })
+  {
+    key.Add(static_cast<std::uint64_t>(number));
+  }
+  scene.Grids = scene.Prepared.Get<PreparedGrids>(key,
+    [&]() -> std::shared_ptr<const PreparedGrids>
+    {
+      auto made = std::make_shared<PreparedGrids>();
+      if (!FillVisibilityGrids(
+            conesOf, scene.Lights.Lights, nullptr, scene.Medium.Bounds, soft, monitor, made->Grids))
+      {
+        return nullptr;
+      }
+      made->LayOut();
+      return made;
+    });
+  return scene.Grids != nullptr;
+}
 } // anonymous namespace
 
-ImageScene::ImageScene() = default;
-ImageScene::~ImageScene() = default;
-
-vtkIdType CountCasters(const TriangleMesh& mesh)
+ImageScene::ImageScene(PreparedUser& prepared)
+  : Prepared(prepared)
 {
-  if (mesh.OccluderIds.empty()) // without ids there are no receivers
-  {
-    return static_cast<vtkIdType>(mesh.Triangles.size() / 3);
-  }
-  return std::count_if(mesh.OccluderIds.begin(), mesh.OccluderIds.end(), [](auto id) { return id >= 0; });
 }
+
+ImageScene::~ImageScene() = default;
 
 bool CheckInputs(const ImageInputs& inputs, ScatteringMode mode, std::string& error)
 {
@@ -129,21 +147,22 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
   }
   const std::size_t wavelengths = scene.Lights.Wavelengths.size();
 
-  if (inputs.Mesh && !ReadTriangles(inputs.Mesh, scene.Mesh, error))
+  scene.Mesh = PrepareMesh(scene.Prepared, inputs.Mesh, error);
+  if (!scene.Mesh)
   {
     error = "Mesh (input port 0): " + error;
     return false;
   }
-  scene.MeshBounds = MeshBounds(scene.Mesh.View());
-  SurfaceReflectance reflectance;
-  if (!ReadReflectance(scene.Mesh, wavelengths, scene.Options.Reflectance, reflectance, error))
+  const std::shared_ptr<const PreparedReflectance> reflectance =
+    PrepareReflectance(scene.Prepared, *scene.Mesh, wavelengths, scene.Options.Reflectance, error);
+  if (!reflectance)
   {
     return false;
   }
-  if (reflectance.Components > 0)
+  if (reflectance->Reflectance.Components > 0)
   {
-    scene.Options.ReflectanceComponents = reflectance.Components;
-    scene.Options.SurfaceReflectance = std::move(reflectance.Values);
+    scene.Options.ReflectanceComponents = reflectance->Reflectance.Components;
+    scene.Options.SurfaceReflectance = reflectance->Reflectance.Values;
   }
 
   scene.HasCones = inputs.Cones && mode != ScatteringMode::BruteForce;
@@ -160,28 +179,37 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
   {
     AssignCones(inputs.Cones, scene.Lights, scene.Cones);
   }
-  scene.Visibility.resize(scene.Lights.Lights.size());
-  std::string bricks;
-  if (mode == ScatteringMode::Volume &&
-    (!ReadVisibilityGrids(inputs.Visibility, scene.Visibility, error, bricks) ||
-      !AssignGrids(inputs.Visibility->GetFieldData(), scene.Lights, scene.Visibility, error)))
+  scene.LightStamps = StampsOf(&inputs.Lights, 1);
+  scene.ConeStamps = { StampOf(inputs.Cones) };
+  scene.ConeStamps.insert(scene.ConeStamps.end(), scene.LightStamps.begin(), scene.LightStamps.end());
+  if (mode == ScatteringMode::Volume)
   {
-    error = "Visibility volume (input port 3): " + error;
-    return false;
+    scene.Grids = PrepareGrids(scene.Prepared, inputs.Visibility, scene.LightStamps, scene.Lights, error);
+    if (!scene.Grids)
+    {
+      error = "Visibility volume (input port 3): " + error;
+      return false;
+    }
+    scene.Said.Add(scene.Grids->SaidOfBricks);
+    scene.Lights.Warnings.insert(
+      scene.Lights.Warnings.end(), scene.Grids->SaidOfLights.begin(), scene.Grids->SaidOfLights.end());
   }
-  if (inputs.Density && !ReadDensity(inputs.Density, inputs.DensityValues, scene.Density, error))
+  if (inputs.Density)
   {
-    error = "Density (input port 4): " + error;
-    return false;
+    scene.Density = PrepareDensity(scene.Prepared, inputs.Density, inputs.DensityValues, error);
+    if (!scene.Density)
+    {
+      error = "Density (input port 4): " + error;
+      return false;
+    }
   }
-  scene.Said.Add(bricks);
   CompareCasters(inputs, scene);
   scene.Said.Add(scene.Lights.Warnings);
   if (scene.HasCones)
   {
     WarnOfCones(inputs, scene);
   }
-  scene.Medium.Density = inputs.Density ? &scene.Density : nullptr;
+  scene.Medium.Density = scene.Density ? &scene.Density->Density : nullptr;
   return true;
 }
 
@@ -190,14 +218,14 @@ bool FindMediumBounds(const double bounds[6], ImageScene& scene, std::string& er
   Box& box = scene.Medium.Bounds;
   if (AreUnsetBounds(bounds))
   {
-    Box inside = scene.MeshBounds;
+    Box inside = scene.Mesh->Bounds;
     if (inside.Empty())
     {
       std::for_each(scene.Cones.begin(), scene.Cones.end(), [&inside](const auto& cone) { inside.Add(cone.Center); });
     }
-    const VisibilityGrid& grid = scene.Visibility.front();
-    if (inside.Empty() && !grid.Visibility.empty())
+    if (inside.Empty() && scene.Grids)
     {
+      const VisibilityGrid& grid = scene.Grids->Grids.front();
       const std::array<int, 3>& n = grid.Dimensions;
       box = { grid.Origin, grid.Vertex(n[0] - 1, n[1] - 1, n[2] - 1) };
     }
@@ -225,7 +253,7 @@ bool ChooseCamera(vtkCamera* given, const int resolution[2], ImageScene& scene, 
   }
   else
   {
-    LookAtFront(scene.MeshBounds.Empty() ? scene.Medium.Bounds : scene.MeshBounds, scene.UsedCamera);
+    LookAtFront(scene.Mesh->Bounds.Empty() ? scene.Medium.Bounds : scene.Mesh->Bounds, scene.UsedCamera);
   }
   return ReadCamera(scene.UsedCamera, resolution, scene.Camera, error);
 }
@@ -235,32 +263,27 @@ bool RenderScene(ImageScene& scene, const std::vector<std::array<int, 4>>& exten
 {
   constexpr double shareOfSoft = 0.4; // of the progress: filling its grids
   const bool isSoft = scene.Options.Mode == ScatteringMode::Soft;
-  const OccluderScene occluders(scene.Mesh.View());
+  const std::shared_ptr<const PreparedOccluders> occluders = PrepareOccluders(scene.Prepared, scene.Mesh);
   const std::vector<Light>& lights = scene.Lights.Lights;
   const std::vector<std::vector<Cone>> conesOf = ConesOfLights(scene.Cones, lights.size());
-  scene.Soft.Method = VisibilityMethod::Soft;
-  scene.Soft.Seed = scene.Options.Seed;
-  if (isSoft &&
-    !FillVisibilityGrids(
-      conesOf, lights, nullptr, scene.Medium.Bounds, scene.Soft, monitor.Part(0.0, shareOfSoft), scene.Visibility))
+  if (isSoft && !FillSoftGrids(conesOf, monitor.Part(0.0, shareOfSoft), scene))
   {
     return false;
   }
-  // Surfaces outside the medium lie in shadow too.
-  Box bounds = scene.Medium.Bounds;
-  bounds.Add(scene.MeshBounds);
-  const double length = scene.ConeLength > 0.0 ? scene.ConeLength : HUGE_VAL;
-  const bool usesGrid = isSoft || scene.Options.Mode == ScatteringMode::Volume;
-  std::vector<std::unique_ptr<ConeHierarchy>> cones(lights.size());
+  std::shared_ptr<const PreparedCones> cones;
+  if (scene.HasCones && !isSoft)
+  {
+    // Surfaces outside the medium lie in shadow too.
+    Box bounds = scene.Medium.Bounds;
+    bounds.Add(scene.Mesh->Bounds);
+    const double length = scene.ConeLength > 0.0 ? scene.ConeLength : HUGE_VAL;
+    cones = PrepareCones(scene.Prepared, scene.ConeStamps, conesOf, bounds, length);
+  }
   std::vector<ScatteringScene> scenes;
   for (std::size_t k = 0; k < lights.size(); ++k)
   {
-    if (scene.HasCones && !isSoft)
-    {
-      cones[k] = std::make_unique<ConeHierarchy>(conesOf[k], bounds, length);
-    }
-    scenes.push_back(
-      { occluders, lights[k], scene.Medium, scene.Camera, cones[k].get(), usesGrid ? &scene.Visibility[k] : nullptr });
+    scenes.push_back({ occluders->Scene, lights[k], scene.Medium, scene.Camera, cones ? cones->OfLights[k].get() : nullptr,
+      scene.Grids ? &scene.Grids->Grids[k] : nullptr, scene.Grids ? scene.Grids->Layouts[k].get() : nullptr });
   }
   return RenderScattering(scenes, scene.Options, extents, monitor.Part(isSoft ? shareOfSoft : 0.0, 1.0), images);
 }

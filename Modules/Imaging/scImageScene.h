@@ -7,9 +7,9 @@
 #define scImageScene_h
 
 #include "scCamera.h"
-#include "scDensityGrid.h"
+#include "scInputStamp.h"
 #include "scMedium.h"
-#include "scMeshData.h"
+#include "scPreparedInputs.h"
 #include "scScatteringImage.h"
 #include "scScatteringOptions.h"
 #include "scSceneLights.h"
@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -44,21 +45,24 @@ struct ImageInputs
   vtkDataArray* DensityValues; ///< the one that was chosen; nullptr: the usual one
 };
 
-/// All that is rendered. It is not to be moved: the medium points to the density.
+/// All that is rendered.
 struct ImageScene
 {
-  ImageScene();
+  /// @param prepared what is kept from one image to the next.
+  explicit ImageScene(PreparedUser& prepared);
   ~ImageScene();
   ImageScene(const ImageScene&) = delete;
   ImageScene& operator=(const ImageScene&) = delete;
 
-  TriangleMesh Mesh;
-  Box MeshBounds;
+  PreparedUser& Prepared;
+  std::shared_ptr<const PreparedMesh> Mesh; ///< without one an empty mesh
   SceneLights Lights;
   bool HasCones = false;
   std::vector<Cone> Cones;
-  std::vector<VisibilityGrid> Visibility; ///< one a light; Volume: as read; Soft: to be filled
-  DensityGrid Density;
+  std::shared_ptr<const PreparedGrids> Grids; ///< one a light; Volume: as read; Soft: filled by RenderScene()
+  std::shared_ptr<const PreparedDensity> Density;
+  std::vector<InputStamp> LightStamps;
+  std::vector<InputStamp> ConeStamps; ///< of all that the lights' cones are made from
   shadowcones::Medium Medium;
   shadowcones::Camera Camera;
   vtkNew<vtkCamera> UsedCamera; ///< as written to the field data
@@ -78,9 +82,6 @@ bool CheckInputs(const ImageInputs& inputs, ScatteringMode mode, std::string& er
  * @return false, with a sentence in @p error that names the input and what is wrong with it.
  */
 bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error);
-
-/// Triangles that cast shadows.
-vtkIdType CountCasters(const TriangleMesh& mesh);
 
 /**
  * The box of the medium, from @p bounds or, where these are not set, from what there is in the scene.

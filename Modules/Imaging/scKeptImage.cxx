@@ -10,13 +10,8 @@
 #include "scOccluderNames.h"
 #include "scToneMap.h"
 
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -24,29 +19,6 @@
 
 namespace shadowcones
 {
-
-namespace
-{
-
-InputStamp StampOf(vtkDataObject* data)
-{
-  InputStamp stamp;
-  if (data)
-  {
-    stamp = { data, data->GetMTime(), data->GetUpdateTime() };
-  }
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-    for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
-    {
-      stamp.Changed = std::max(stamp.Changed, blocks->GetCurrentDataObject()->GetMTime());
-    }
-  }
-  return stamp;
-}
-
-} // namespace
 
 bool IsWhole(const int extent[6], const int resolution[2])
 {
@@ -62,15 +34,7 @@ void KeptImage::Drop()
 
 void KeptImage::DropIfOld(vtkInformationVector** inputs, int numberOfPorts, vtkMTimeType parametersChanged)
 {
-  std::vector<InputStamp> stamps;
-  for (int port = 0; port < numberOfPorts; ++port)
-  {
-    stamps.emplace_back(); // between ports
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      stamps.push_back(StampOf(vtkDataObject::GetData(inputs[port], i)));
-    }
-  }
+  const std::vector<InputStamp> stamps = StampsOf(inputs, numberOfPorts);
   if (parametersChanged != this->ParametersChanged || !(stamps == this->Inputs))
   {
     this->Drop();

@@ -8,6 +8,7 @@
 #ifndef scKeptImage_h
 #define scKeptImage_h
 
+#include "scInputStamp.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -15,25 +16,11 @@
 #include <cstddef>
 #include <vector>
 
-class vtkDataObject;
 class vtkImageData;
 class vtkInformationVector;
 
 namespace shadowcones
 {
-
-/// Which object stood on an input, and when it last changed.
-struct InputStamp
-{
-  const vtkDataObject* Data = nullptr;
-  vtkMTimeType Changed = 0; ///< the object, or a block of it
-  vtkMTimeType Updated = 0; ///< by the pipeline
-
-  bool operator==(const InputStamp& other) const
-  {
-    return this->Data == other.Data && this->Changed == other.Changed && this->Updated == other.Updated;
-  }
-};
 
 struct ImageScene;
 struct ScatteringImage;

@@ -10,6 +10,7 @@
 #include "scKeptImage.h"
 #include "scMediumData.h"
 #include "scParameterRanges.h"
+#include "scPreparedScene.h"
 #include "scSentence.h"
 #include "scToneMap.h"
 #include "scWarnings.h"
@@ -46,6 +47,7 @@ vtkStandardNewMacro(vtkScatteringImageFilter);
 
 vtkScatteringImageFilter::vtkScatteringImageFilter()
   : Kept(std::make_unique<KeptImage>())
+  , Prepared(std::make_unique<PreparedUser>())
 {
   this->SetNumberOfInputPorts(5);
   this->GetInformation()->Remove(INPUT_ARRAYS_TO_PROCESS()); // the superclass chooses scalars of the mesh
@@ -62,6 +64,7 @@ scDefineLightPort(vtkScatteringImageFilter, lightPort);
 scDefineInputPort(vtkScatteringImageFilter, ConeSet, coneSetPort);
 scDefineInputPort(vtkScatteringImageFilter, VisibilityVolume, visibilityVolumePort);
 scDefineInputPort(vtkScatteringImageFilter, Density, densityPort);
+scDefinePreparedScene(vtkScatteringImageFilter);
 scDefineSpectrum(vtkScatteringImageFilter, SigmaS);
 scDefineSpectrum(vtkScatteringImageFilter, SigmaA);
 
@@ -230,7 +233,8 @@ bool vtkScatteringImageFilter::RenderMissing(
   {
     return true;
   }
-  ImageScene scene;
+  const PreparedRun run(*this->Prepared);
+  ImageScene scene(*this->Prepared);
   this->SetOptions(extent, scene);
   if (!this->ReadScene(inputs, scene, error))
   {
@@ -249,6 +253,10 @@ bool vtkScatteringImageFilter::RenderMissing(
   {
     error = Sentence("Rendering failed: ", exception.what(), ".");
     return false;
+  }
+  for (const ScatteringImage& image : images)
+  {
+    this->NumberOfRaysSent += image.NumberOfOcclusionRays;
   }
   this->Kept->Wavelengths = scene.Lights.Wavelengths;
   if (rendersPixels)
@@ -334,4 +342,7 @@ void vtkScatteringImageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AutoExposure: " << (this->AutoExposure ? "On" : "Off") << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "NumberOfRaysSent: " << this->NumberOfRaysSent << "\n";
+  os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";
+  os << indent << "PreparedMemory: " << this->GetPreparedMemory() << "\n";
 }

@@ -108,6 +108,7 @@ class Warnings;
 struct ImageScene;
 struct KeptImage;
 struct SchlickLobes;
+class PreparedUser;
 } // namespace shadowcones
 
 class SHADOWCONESIMAGING_EXPORT vtkScatteringImageFilter : public vtkImageAlgorithm
@@ -445,6 +446,27 @@ public:
    */
   vtkMTimeType GetMTime() override;
 
+  ///@{
+  /**
+   * What is kept from one run to the next of what is costly to build: mesh, search tree, hierarchies
+   * of cones, grids and density. It stands for as long as
+   * the inputs that it is made from do not change. Another filter takes the same things instead of building its own
+   * where a script hands the scene on: other->SetPreparedScene(this->GetPreparedScene()); the two then keep what both
+   * need once. Results do not depend on it. nullptr: a scene of its own again.
+   */
+  vtkObject* GetPreparedScene();
+  void SetPreparedScene(vtkObject* scene); ///< Keep what is costly to build together with another filter.
+  void ReleasePreparedScene(); ///< Free the memory; what is needed is built again.
+  vtkTypeInt64 GetPreparedMemory(); ///< Bytes that the prepared scene takes.
+  /// How often this filter has built any of it: it does not grow where an update finds all that it needs.
+  vtkIdType GetNumberOfPreparations();
+  ///@}
+
+  /**
+   * Occlusion rays sent by this filter since it was made. It does not grow where only the exposure has changed.
+   */
+  vtkGetMacro(NumberOfRaysSent, vtkIdType);
+
   /**
    * Mark the filter as changed: the image will be rendered anew.
    */
@@ -501,6 +523,8 @@ private:
 
   vtkTimeStamp SceneTime; // when a parameter other than the exposure was set
   std::unique_ptr<shadowcones::KeptImage> Kept;
+  std::unique_ptr<shadowcones::PreparedUser> Prepared;
+  vtkIdType NumberOfRaysSent = 0;
 };
 
 #endif

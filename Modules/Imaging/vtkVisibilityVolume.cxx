@@ -8,10 +8,11 @@
 #include "scFingerprints.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
-#include "scMeshData.h"
 #include "scOccluderNames.h"
 #include "scOptionalBounds.h"
 #include "scParameterRanges.h"
+#include "scPreparedInputs.h"
+#include "scPreparedScene.h"
 #include "scSceneLights.h"
 #include "scSentence.h"
 #include "scVisibilityData.h"
@@ -30,6 +31,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <string>
 
 using namespace shadowcones;
@@ -46,9 +48,8 @@ struct vtkVisibilityVolume::Scene
 {
   std::vector<Cone> Cones;
   SceneLights Lights;
-  TriangleMesh Mesh;
-  Box MeshBounds; ///< with its receivers
-  Box Bounds;     ///< empty: there is nothing
+  std::shared_ptr<const PreparedMesh> Mesh; ///< its casters; without one an empty mesh
+  Box Bounds;                               ///< empty: there is nothing
   std::vector<std::string> OccluderNames;
   std::vector<std::uint64_t> CastersFingerprints;
   Warnings Said;
@@ -56,10 +57,10 @@ struct vtkVisibilityVolume::Scene
   /// Of the mesh, or without one of the cones: what automatic bounds go around.
   Box Inside() const
   {
-    Box inside = this->MeshBounds;
+    Box inside = this->Mesh->Bounds;
     for (const Cone& cone : this->Cones)
     {
-      if (this->MeshBounds.Empty())
+      if (this->Mesh->Bounds.Empty())
       {
         inside.Add(cone.Center);
       }
@@ -69,10 +70,14 @@ struct vtkVisibilityVolume::Scene
 };
 
 vtkVisibilityVolume::vtkVisibilityVolume()
+  : Prepared(std::make_unique<PreparedUser>())
 {
   this->SetNumberOfInputPorts(3);
 }
 
+vtkVisibilityVolume::~vtkVisibilityVolume() = default;
+
+scDefinePreparedScene(vtkVisibilityVolume);
 scDefineInputPort(vtkVisibilityVolume, Mesh, meshPort);
 scDefineLightPort(vtkVisibilityVolume, lightPort);
 
@@ -123,7 +128,7 @@ std::string vtkVisibilityVolume::CheckParameters() const
   return fault.empty() ? CheckDimensions("Dimensions", this->Dimensions) : fault;
 }
 
-bool vtkVisibilityVolume::ReadInputs(vtkInformationVector** inputs, Scene& scene, std::string& error) const
+bool vtkVisibilityVolume::ReadInputs(vtkInformationVector** inputs, Scene& scene, std::string& error)
 {
   vtkPolyData* cones = vtkPolyData::GetData(inputs[0]);
   vtkDataObject* mesh = vtkDataObject::GetData(inputs[meshPort]);
@@ -148,26 +153,26 @@ bool vtkVisibilityVolume::ReadInputs(vtkInformationVector** inputs, Scene& scene
   {
     return fail("Light (input port 1): " + error);
   }
-  if (mesh && !ReadTriangles(mesh, scene.Mesh, error))
+  scene.Mesh = PrepareMesh(*this->Prepared, mesh, error);
+  if (!scene.Mesh)
   {
     return fail("Mesh (input port 2): " + error);
   }
-  if (this->Method == Exact && scene.Mesh.Triangles.empty() && scene.Mesh.NumberOfCells > 0)
+  if (this->Method == Exact && scene.Mesh->Mesh.Triangles.empty() && scene.Mesh->Mesh.NumberOfCells > 0)
   {
-    return fail(Sentence("The mesh on input port 2 has ", scene.Mesh.NumberOfCells,
+    return fail(Sentence("The mesh on input port 2 has ", scene.Mesh->Mesh.NumberOfCells,
       " cells and no polygon: shadows need surfaces. Run vtkDataSetSurfaceFilter first, or use SetMethodToSoft()."));
   }
-  scene.MeshBounds = MeshBounds(scene.Mesh.View());
   vtkNew<vtkFieldData> none;
   vtkFieldData* coneData = cones ? cones->GetFieldData() : none.Get();
-  scene.OccluderNames = mesh ? scene.Mesh.OccluderNames : ReadOccluderNames(coneData);
+  scene.OccluderNames = mesh ? scene.Mesh->Mesh.OccluderNames : ReadOccluderNames(coneData);
   scene.CastersFingerprints = ReadFingerprints(castersFingerprint, coneData);
   if (mesh)
   {
     scene.CastersFingerprints = { CompareCasters(
-      scene.Mesh, meshPort, coneData, "The cone set on input port 0", scene.Said) };
+      scene.Mesh->CastersFingerprint, meshPort, coneData, "The cone set on input port 0", scene.Said) };
   }
-  DropReceivers(scene.Mesh);
+  scene.Mesh = PrepareCasters(*this->Prepared, scene.Mesh);
   if (this->Method == Soft)
   {
     UndoCosineCorrection(coneData, scene.Cones);
@@ -186,11 +191,11 @@ void vtkVisibilityVolume::FindAutomaticBounds(vtkInformationVector** inputs)
   Scene scene;
   std::string fault; // RequestData reports it
   Box around;
-  if (inputs[lightPort]->GetNumberOfInformationObjects() > 0 && ReadLights(inputs[lightPort], scene.Lights, fault) &&
-    (!mesh || ReadTriangles(mesh, scene.Mesh, fault)) &&
+  scene.Mesh = PrepareMesh(*this->Prepared, mesh, fault);
+  if (scene.Mesh && inputs[lightPort]->GetNumberOfInformationObjects() > 0 &&
+    ReadLights(inputs[lightPort], scene.Lights, fault) &&
     ReadConeSet(vtkPolyData::GetData(inputs[0]), scene.Cones, fault))
   {
-    scene.MeshBounds = MeshBounds(scene.Mesh.View());
     if (BoundsAround(scene.Inside(), scene.Lights.Bounds, around))
     {
       const double found[6] = { around.Min.X, around.Max.X, around.Min.Y, around.Max.Y, around.Min.Z, around.Max.Z };
@@ -236,10 +241,10 @@ bool vtkVisibilityVolume::FillGrids(const Scene& scene, const int extent[6], std
   options.RefinementThreshold = this->RefinementThreshold;
   std::copy(extent, extent + 6, options.Extent.begin());
   const std::vector<Light>& lights = scene.Lights.Lights;
-  const OccluderScene occluders(scene.Mesh.View());
+  const std::shared_ptr<const PreparedOccluders> occluders = PrepareOccluders(*this->Prepared, scene.Mesh);
   const std::vector<std::vector<Cone>> conesOf = ConesOfLights(scene.Cones, lights.size());
   return FillVisibilityGrids(
-    conesOf, lights, this->Method == Exact ? &occluders : nullptr, scene.Bounds, options, MonitorOf(this), grids);
+    conesOf, lights, this->Method == Exact ? &occluders->Scene : nullptr, scene.Bounds, options, MonitorOf(this), grids);
 }
 
 int vtkVisibilityVolume::RequestData(
@@ -259,6 +264,7 @@ int vtkVisibilityVolume::RequestData(
   {
     return 1; // a piece with no points
   }
+  const PreparedRun prepared(*this->Prepared);
   Scene scene;
   error = this->CheckParameters();
   if (!error.empty() || !this->ReadInputs(inputVector, scene, error) || !this->FindBounds(scene, error))
@@ -321,7 +327,7 @@ void vtkVisibilityVolume::Warn(
   warnings.Add(scene.Lights.Warnings);
   const auto numberOfCones = static_cast<vtkIdType>(scene.Cones.size());
   warnings.Add(
-    EmptyConeSet(numberOfCones, this->Method == Exact ? static_cast<vtkIdType>(scene.Mesh.Triangles.size() / 3) : 0));
+    EmptyConeSet(numberOfCones, this->Method == Exact ? static_cast<vtkIdType>(scene.Mesh->Mesh.Triangles.size() / 3) : 0));
   warnings.Add(this->Method == Exact ? TooManyDiscarded(coneField) : std::string());
   for (const VisibilityGrid& grid : grids)
   {
@@ -357,4 +363,6 @@ void vtkVisibilityVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BrickParts: " << this->BrickParts << "\n";
   os << indent << "RefinementThreshold: " << this->RefinementThreshold << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";
+  os << indent << "PreparedMemory: " << this->GetPreparedMemory() << "\n";
 }

@@ -55,6 +55,7 @@
 #include "ShadowConesImagingModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,7 @@ class vtkFieldData;
 
 namespace shadowcones
 {
+class PreparedUser;
 struct VisibilityGrid;
 }
 
@@ -167,9 +169,24 @@ public:
   vtkGetMacro(Seed, int); ///< Seed of the light samples.
   ///@}
 
+  ///@{
+  /**
+   * What is kept from one run to the next of what is costly to build: mesh and search tree. It stands for as long as
+   * the inputs that it is made from do not change. Another filter takes the same things instead of building its own
+   * where a script hands the scene on: other->SetPreparedScene(this->GetPreparedScene()); the two then keep what both
+   * need once. Results do not depend on it. nullptr: a scene of its own again.
+   */
+  vtkObject* GetPreparedScene();
+  void SetPreparedScene(vtkObject* scene); ///< Keep what is costly to build together with another filter.
+  void ReleasePreparedScene(); ///< Free the memory; what is needed is built again.
+  vtkTypeInt64 GetPreparedMemory(); ///< Bytes that the prepared scene takes.
+  /// How often this filter has built any of it: it does not grow where an update finds all that it needs.
+  vtkIdType GetNumberOfPreparations();
+  ///@}
+
 protected:
   vtkVisibilityVolume();
-  ~vtkVisibilityVolume() override = default;
+  ~vtkVisibilityVolume() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -184,7 +201,7 @@ private:
 
   /// What is wrong with the parameters, as a sentence; empty where nothing is.
   std::string CheckParameters() const;
-  bool ReadInputs(vtkInformationVector** inputs, Scene& scene, std::string& error) const;
+  bool ReadInputs(vtkInformationVector** inputs, Scene& scene, std::string& error);
   void FindAutomaticBounds(vtkInformationVector** inputs);
   bool FindBounds(Scene& scene, std::string& error) const;
   bool FillGrids(const Scene& scene, const int extent[6], std::vector<shadowcones::VisibilityGrid>& grids);
@@ -199,6 +216,8 @@ private:
   int BrickParts = 2;
   double RefinementThreshold = 0.5;
   int Seed = 1;
+
+  std::unique_ptr<shadowcones::PreparedUser> Prepared;
 };
 
 #endif

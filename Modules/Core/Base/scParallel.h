@@ -31,10 +31,11 @@ struct Monitor
 };
 
 /**
- * Run body(begin, end) over [0, count) in parallel with vtkSMPTools, in blocks of about 50 ms between which the monitor
- * is served. The body must depend on its indices only. @return false where the monitor asked to stop: results are then
- * incomplete and to be dropped. An exception of the body is thrown again here, on the calling thread, whatever the
- * backend of vtkSMPTools; the rest of the range is then left out.
+ * Run body(begin, end) over [0, count) in parallel with vtkSMPTools. Threads take blocks of some milliseconds one after
+ * the other, without waiting for each other; the calling thread serves the monitor between its own. The body must depend
+ * on its indices only. @return false where the monitor asked to stop: results are then incomplete and to be dropped. An
+ * exception of the body is thrown again here, on the calling thread, whatever the backend of vtkSMPTools; the rest of the
+ * range is then left out.
  */
 SHADOWCONESCORE_EXPORT bool ParallelFor(
   vtkIdType count, const Monitor& monitor, const std::function<void(vtkIdType begin, vtkIdType end)>& body);

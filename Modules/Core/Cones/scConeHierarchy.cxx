@@ -74,6 +74,12 @@ double ConeHierarchy::Length() const
   return this->Impl->Length;
 }
 
+std::int64_t ConeHierarchy::Memory() const
+{
+  const std::size_t cones = this->Impl->Cones.capacity() * (sizeof(Cone) + sizeof(double));
+  return static_cast<std::int64_t>(cones) + this->Impl->Tree.Memory();
+}
+
 void ConeHierarchy::Intersect(const Vector3& origin, const Vector3& direction, double tMin, double tMax,
   std::vector<OccluderInterval>& intervals, bool perOccluder) const
 {

@@ -13,6 +13,7 @@
 #include "scParallel.h"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -56,6 +57,8 @@ public:
   const std::vector<Cone>& Cones() const;
   /// Where they are cut, from their base.
   double Length() const;
+  /// Bytes: of the cones and of their slices, at most 16 a cone.
+  std::int64_t Memory() const;
 
 private:
   struct Implementation;

@@ -8,6 +8,7 @@
 
 #include "scCone.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace shadowcones
@@ -68,6 +69,11 @@ public:
   bool AnyAtPoint(const Vector3& point, Predicate&& accept) const
   {
     return this->Traverse([&](const Box& box) { return box.Contains(point); }, accept);
+  }
+
+  std::int64_t Memory() const
+  {
+    return static_cast<std::int64_t>(this->Entries.capacity() * sizeof(Entry) + this->Nodes.capacity() * sizeof(Node));
   }
 
   /// Call visit(entry) for every entry whose box may reach inside: inside(box) answers for boxes, and for boxes around them.

@@ -73,7 +73,11 @@ LitMinusBlockedScene::LitMinusBlockedScene(const RenderContext& context)
   const ScatteringOptions& options = context.Options;
   if (scene.Visibility && options.Mode != ScatteringMode::Guided)
   {
-    this->Grid = std::make_unique<VisibilityGridSampler>(*scene.Visibility);
+    if (!scene.Layout)
+    {
+      this->OwnGrid = std::make_unique<const VisibilityGridSampler>(*scene.Visibility);
+    }
+    this->Grid = scene.Layout ? scene.Layout : this->OwnGrid.get();
   }
   if (options.Mode == ScatteringMode::Guided)
   {

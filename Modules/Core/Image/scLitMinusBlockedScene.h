@@ -32,7 +32,10 @@ struct LitMinusBlockedScene
   std::vector<double> TypicalSums; ///< of every group
   double TypicalMean = 0.0;        ///< over wavelengths
   double Darkest = 0.0;            ///< pixels that are darker are sampled as if they had this, mean over wavelengths
-  std::unique_ptr<VisibilityGridSampler> Grid; ///< Soft, Volume
+  const VisibilityGridSampler* Grid = nullptr; ///< Soft, Volume
+
+private:
+  std::unique_ptr<const VisibilityGridSampler> OwnGrid;
 };
 
 } // namespace shadowcones

@@ -6,16 +6,26 @@
 #ifndef scScatteringScene_h
 #define scScatteringScene_h
 
+#include "ShadowConesCoreModule.h"
 #include "scCamera.h"
 #include "scConeHierarchy.h"
 #include "scLight.h"
 #include "scMedium.h"
 #include "scOccluderScene.h"
 
+#include <cstdint>
+#include <memory>
+
 namespace shadowcones
 {
 
+class VisibilityGridSampler;
 struct VisibilityGrid;
+
+/// A grid laid out for the camera's rays, by several threads: for what is rendered more than once. The grid must outlive it.
+SHADOWCONESCORE_EXPORT std::shared_ptr<const VisibilityGridSampler> LayOutGrid(const VisibilityGrid& grid);
+/// Bytes of such a layout, without the grid.
+SHADOWCONESCORE_EXPORT std::int64_t MemoryOf(const VisibilityGridSampler& layout);
 
 /// What is rendered in the light of one light; nothing is owned. The light spectrum, SigmaS and SigmaA have one length.
 struct ScatteringScene
@@ -28,6 +38,7 @@ struct ScatteringScene
   /// means that shadow may be anywhere.
   const ConeHierarchy* Cones = nullptr;
   const VisibilityGrid* Visibility = nullptr; ///< Soft, Volume
+  const VisibilityGridSampler* Layout = nullptr; ///< of that grid; nullptr: it is laid out for this image
 };
 
 } // namespace shadowcones

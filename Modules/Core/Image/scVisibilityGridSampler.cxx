@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scVisibilityGridSampler.h"
 
+#include "scParallel.h"
+#include "scScatteringScene.h"
 #include "scTrilinear.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace shadowcones
 {
@@ -16,7 +19,12 @@ constexpr int mostPlaces = 64;
 std::vector<float> OneMinus(const std::vector<float>& values)
 {
   std::vector<float> result(values.size());
-  std::transform(values.begin(), values.end(), result.begin(), [](float value) { return 1.0f - value; });
+  ParallelFor(static_cast<vtkIdType>(values.size()), {},
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::transform(values.begin() + begin, values.begin() + end, result.begin() + begin,
+        [](float value) { return 1.0f - value; });
+    });
   return result;
 }
 } // anonymous namespace
@@ -32,28 +40,16 @@ VisibilityGridSampler::VisibilityGridSampler(const VisibilityGrid& grid)
     this->Cells[axis] = grid.Dimensions[axis] - 1;
     this->Macros[axis] = (this->Cells[axis] + MacroSide - 1) / MacroSide;
   }
-  this->Occupied.assign(static_cast<std::size_t>(this->Macros[0]) * this->Macros[1] * this->Macros[2], 0);
-  const auto occupy = [&](int i, int j, int k)
-  {
-    const int macro[3] = { i / MacroSide, j / MacroSide, k / MacroSide };
-    this->Occupied[(static_cast<std::size_t>(macro[2]) * this->Macros[1] + macro[1]) * this->Macros[0] + macro[0]] = 1;
-  };
-  std::size_t vertex = 0;
-  for (int k = 0; k <= this->Cells[2]; ++k)
-  {
-    for (int j = 0; j <= this->Cells[1]; ++j)
+  const vtkIdType rows = static_cast<vtkIdType>(this->Macros[1]) * this->Macros[2];
+  this->Occupied.assign(static_cast<std::size_t>(rows) * this->Macros[0], 0);
+  ParallelFor(rows, {},
+    [this](vtkIdType begin, vtkIdType end)
     {
-      for (int i = 0; i <= this->Cells[0]; ++i, ++vertex)
+      for (vtkIdType row = begin; row < end; ++row)
       {
-        // A vertex belongs to the cells on all its sides.
-        for (int side = 0; side < 8 && this->Hidden[vertex] != 0.0f; ++side)
-        {
-          occupy(std::clamp(i - (side & 1), 0, this->Cells[0] - 1),
-            std::clamp(j - (side >> 1 & 1), 0, this->Cells[1] - 1), std::clamp(k - (side >> 2), 0, this->Cells[2] - 1));
-        }
+        this->FindOccupied(static_cast<int>(row % this->Macros[1]), static_cast<int>(row / this->Macros[1]));
       }
-    }
-  }
+    });
   if (grid.BrickCells.empty())
   {
     return;
@@ -64,10 +60,49 @@ VisibilityGridSampler::VisibilityGridSampler(const VisibilityGrid& grid)
     const auto cell = static_cast<std::size_t>(grid.BrickCells[brick]);
     this->BrickOf[cell] = static_cast<int>(brick);
     const auto columns = static_cast<std::size_t>(this->Cells[0]);
-    const auto rows = static_cast<std::size_t>(this->Cells[1]);
-    occupy(static_cast<int>(cell % columns), static_cast<int>(cell / columns % rows),
-      static_cast<int>(cell / columns / rows));
+    const auto lines = static_cast<std::size_t>(this->Cells[1]);
+    const std::size_t macro[3] = { cell % columns / MacroSide, cell / columns % lines / MacroSide,
+      cell / columns / lines / MacroSide };
+    this->Occupied[(macro[2] * this->Macros[1] + macro[1]) * this->Macros[0] + macro[0]] = 1;
   }
+}
+
+/// Look at the vertices of a row of macro cells: one on a border belongs to the cells on all its sides.
+void VisibilityGridSampler::FindOccupied(int macroJ, int macroK)
+{
+  const auto last = [this](int macro, int axis) { return std::min((macro + 1) * MacroSide, this->Cells[axis]); };
+  const auto vertices = static_cast<std::size_t>(this->Grid.Dimensions[0]);
+  unsigned char* occupied =
+    this->Occupied.data() + (static_cast<std::size_t>(macroK) * this->Macros[1] + macroJ) * this->Macros[0];
+  for (int k = macroK * MacroSide; k <= last(macroK, 2); ++k)
+  {
+    for (int j = macroJ * MacroSide; j <= last(macroJ, 1); ++j)
+    {
+      const float* row = this->Hidden.data() + this->Grid.VertexIndex(0, j, k);
+      for (int macro = 0; macro < this->Macros[0]; ++macro)
+      {
+        const float* first = row + static_cast<std::ptrdiff_t>(macro) * MacroSide;
+        const float* end = std::min(first + MacroSide + 1, row + vertices);
+        occupied[macro] |= std::any_of(first, end, [](float hidden) { return hidden != 0.0f; }) ? 1 : 0;
+      }
+    }
+  }
+}
+
+std::int64_t VisibilityGridSampler::Memory() const
+{
+  return static_cast<std::int64_t>((this->Hidden.capacity() + this->BrickHidden.capacity()) * sizeof(float) +
+    this->BrickOf.capacity() * sizeof(int) + this->Occupied.capacity());
+}
+
+std::shared_ptr<const VisibilityGridSampler> LayOutGrid(const VisibilityGrid& grid)
+{
+  return std::make_shared<const VisibilityGridSampler>(grid);
+}
+
+std::int64_t MemoryOf(const VisibilityGridSampler& layout)
+{
+  return layout.Memory();
 }
 
 Vector3 VisibilityGridSampler::ToGrid(const Vector3& point) const

@@ -35,11 +35,15 @@ public:
    */
   int Walk(const LitSums& lit, std::uint64_t wanted, std::vector<double>& hidden) const;
 
+  /// Bytes, without the grid.
+  std::int64_t Memory() const;
+
 private:
   static constexpr int MacroSide = 4; ///< grid cells along a side of a macro cell
 
   /// In units of the grid: (0, 0, 0) is its first vertex.
   Vector3 ToGrid(const Vector3& point) const;
+  void FindOccupied(int macroJ, int macroK);
   bool AnyHidden(const int first[3], const int last[3]) const;
   float HiddenAt(float x, float y, float z, bool& inBrick) const;
   /// A ray in units of the grid.

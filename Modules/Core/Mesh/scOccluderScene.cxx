@@ -310,14 +310,14 @@ unsigned int GroupOf(const CellPiece& piece)
 struct MemoryBudget
 {
   std::atomic<std::int64_t> Used{ 0 };
-  std::int64_t Limit = 0;
+  std::int64_t Limit = 0; ///< 0: none
 };
 
 bool WatchMemory(void* user, ssize_t bytes, bool post)
 {
   auto* budget = static_cast<MemoryBudget*>(user);
   const std::int64_t used = budget->Used += bytes;
-  return post || bytes <= 0 || used <= budget->Limit;
+  return post || bytes <= 0 || budget->Limit == 0 || used <= budget->Limit;
 }
 
 /// A ray of a cell in single precision, a little longer than it is.
@@ -594,11 +594,8 @@ OccluderScene::OccluderScene(const TriangleMeshView& mesh, const OccluderSceneOp
   {
     throw std::runtime_error("Embree could not be started (error " + std::to_string(rtcGetDeviceError(nullptr)) + ")");
   }
-  if (options.MemoryLimit > 0)
-  {
-    impl.Memory.Limit = options.MemoryLimit;
-    rtcSetDeviceMemoryMonitorFunction(impl.Device, WatchMemory, &impl.Memory);
-  }
+  impl.Memory.Limit = std::max<std::int64_t>(options.MemoryLimit, 0);
+  rtcSetDeviceMemoryMonitorFunction(impl.Device, WatchMemory, &impl.Memory);
   impl.Scenes.reserve(impl.Cells.Cells.size());
   for (OccluderCell& cell : impl.Cells.Cells)
   {
@@ -621,6 +618,25 @@ const Box& OccluderScene::Bounds() const
 vtkIdType OccluderScene::NumberOfCells() const
 {
   return static_cast<vtkIdType>(this->Impl->Cells.Cells.size());
+}
+
+std::int64_t OccluderScene::Memory() const
+{
+  Implementation& impl = *this->Impl;
+  std::int64_t bytes = impl.Memory.Used;
+  for (const EmbreeCell& cell : impl.Scenes)
+  {
+    for (const PieceGroup& group : cell.Groups)
+    {
+      bytes += static_cast<std::int64_t>(group.Triangles.capacity() * sizeof(group.Triangles[0]));
+    }
+  }
+  const std::lock_guard<std::mutex> lock(impl.Lock);
+  for (const auto& lamp : impl.Lamps)
+  {
+    bytes += static_cast<std::int64_t>(lamp->Triangles.capacity());
+  }
+  return bytes;
 }
 
 RayRules OccluderScene::RulesFor(const FlatFace& lamp) const

@@ -79,6 +79,8 @@ public:
   const Box& Bounds() const;
   /// Cells that space is cut into: 1 but where triangles are far smaller than the whole.
   vtkIdType NumberOfCells() const;
+  /// Bytes of the search structure, without the mesh: some 200 a triangle.
+  std::int64_t Memory() const;
 
   /// What rays between a flat lamp and the points that it shines on pass by: see IsFlush(). Found once for each plane.
   RayRules RulesFor(const FlatFace& lamp) const;

@@ -2,6 +2,8 @@
 // Loops, pieces and monitors: what makes results independent of threads.
 #include "scParallel.h"
 
+#include "scLoopRecorder.h"
+
 #include "TimeLimit.h"
 
 #include "vtkSMPTools.h"
@@ -11,7 +13,9 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -156,8 +160,91 @@ TEST_P(ParallelForWithBackend, OneOfManyExceptionsReachesTheCaller)
     ParallelFor(1000, {}, [](vtkIdType, vtkIdType) { throw std::length_error("all of them"); }), std::length_error);
 }
 
+TEST_P(ParallelForWithBackend, TheMonitorIsServedOnTheCallingThread)
+{
+  const std::thread::id caller = std::this_thread::get_id();
+  std::vector<double> seen;
+  Monitor monitor;
+  monitor.Progress = [&](double share)
+  {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    seen.push_back(share);
+  };
+  monitor.Aborted = [&]
+  {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    return false;
+  };
+  std::atomic<int> done{ 0 };
+  const auto body = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      ++done;
+    }
+  };
+  EXPECT_TRUE(ParallelFor(150, monitor, body));
+  EXPECT_EQ(done, 150);
+  EXPECT_GE(seen.size(), 4u);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_EQ(seen.back(), 1.0);
+
+  monitor.Aborted = [&] { return done > 160; };
+  EXPECT_FALSE(ParallelFor(1000, monitor, body));
+  EXPECT_LT(done, 400);
+}
+
 INSTANTIATE_TEST_SUITE_P(Backends, ParallelForWithBackend, testing::Values("Sequential", "STDThread", "TBB", "OpenMP"),
   [](const testing::TestParamInfo<const char*>& info) { return std::string(info.param); });
+
+TEST(ParallelFor, ManyThreadsAreBusyWhateverTheItemsTake)
+{
+  // Items of a microsecond; of a millisecond; and of 0.2 to 20 ms, the long ones together at the end.
+  std::vector<std::vector<double>> loops(3);
+  loops[0].assign(2000000, 1e-6);
+  loops[1].assign(20000, 1e-3);
+  for (int k = 0; k < 6000; ++k)
+  {
+    loops[2].push_back(2e-4 * std::pow(100.0, k / 5999.0));
+  }
+  for (const auto& items : loops)
+  {
+    const double all = std::accumulate(items.begin(), items.end(), 0.0);
+    for (const int threads : { 1, 2, 16, 64 })
+    {
+      const double seconds = LoopRecorder::Replay(items, threads, 2e-6);
+      EXPECT_GE(seconds, all / threads);
+      EXPECT_GT(all, 0.9 * threads * seconds) << items.size() << " items on " << threads << " threads";
+    }
+  }
+  // What no order can mend: one item that is longer than the others together.
+  EXPECT_NEAR(LoopRecorder::Replay({ 1.0, 0.01, 0.01 }, 16, 0.0), 1.0, 1e-12);
+}
+
+TEST(LoopRecorder, NotesEveryItemOfOuterLoops)
+{
+  LoopRecorder recorder;
+  const std::thread::id caller = std::this_thread::get_id();
+  int inner = 0;
+  EXPECT_TRUE(ParallelFor(3, {},
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      EXPECT_EQ(end, begin + 1);
+      EXPECT_EQ(std::this_thread::get_id(), caller);
+      ParallelFor(5, {}, [&](vtkIdType first, vtkIdType last) { inner += static_cast<int>(last - first); });
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }));
+  EXPECT_TRUE(ParallelFor(2, {}, [](vtkIdType, vtkIdType) {}));
+  EXPECT_EQ(inner, 15);
+  ASSERT_EQ(recorder.Loops().size(), 2u);
+  ASSERT_EQ(recorder.Loops()[0].Items.size(), 3u);
+  EXPECT_EQ(recorder.Loops()[1].Items.size(), 2u);
+  for (const double seconds : recorder.Loops()[0].Items)
+  {
+    EXPECT_GE(seconds, 1e-3);
+  }
+}
 
 TEST(Monitor, PartMapsItsShareIntoTheWhole)
 {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file scLoopRecorder.h
+ * @brief How long each item of each parallel loop takes: what a machine with more threads would do with them.
+ */
+#ifndef scLoopRecorder_h
+#define scLoopRecorder_h
+
+#include "ShadowConesCoreModule.h"
+#include "vtkType.h"
+
+#include <functional>
+#include <vector>
+
+namespace shadowcones
+{
+
+/**
+ * While one is there, ParallelFor() runs item after item on the calling thread and notes the seconds of each. Loops
+ * inside of an item are part of it. For programs that measure; one at a time.
+ */
+class SHADOWCONESCORE_EXPORT LoopRecorder
+{
+public:
+  struct Loop
+  {
+    double Before = 0.0; ///< seconds since the end of the last loop, or since the recorder was made
+    std::vector<double> Items;
+  };
+
+  LoopRecorder();
+  ~LoopRecorder();
+  LoopRecorder(const LoopRecorder&) = delete;
+  LoopRecorder& operator=(const LoopRecorder&) = delete;
+
+  const std::vector<Loop>& Loops() const { return this->Recorded; }
+  /// Seconds since the end of the last loop.
+  double Rest() const;
+
+  /**
+   * Seconds that the items of a loop would take on so many threads that take them as those of ParallelFor() do, with
+   * @p overhead seconds for each block.
+   */
+  static double Replay(const std::vector<double>& items, int threads, double overhead);
+
+  /// The one that is there, or nullptr. @{ For ParallelFor().
+  static LoopRecorder* Active();
+  void Run(vtkIdType count, const std::function<void(vtkIdType begin, vtkIdType end)>& body);
+  /// @}
+
+private:
+  std::vector<Loop> Recorded;
+  double End = 0.0;
+  bool InsideItem = false;
+};
+
+} // namespace shadowcones
+
+#endif

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the pipeline costs beside the estimators: frames of a prepared scene, grids that are read, probes, threads, memory.
+//
+//   frames    a sphere of many triangles in a lit room: the first image, further cameras, another exposure
+//   volume    a visibility volume of many points read by a further frame
+//   probe     20,000 points of 64 light samples
+//   threads   each stage on one and on two threads, and its loops replayed item by item on more
+//   memory    bytes of what is kept and the largest memory of each stage, against its formula
+#include "BenchmarkScene.h"
+#include "ThreadReplay.h"
+
+#include "vtkCamera.h"
+#include "vtkConeSetProbe.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkScatteringImageFilter.h"
+#include "vtkSphereSource.h"
+#include "vtkVisibilityVolume.h"
+
+#include "vtkAreaLightSource.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace shadowcones;
+
+namespace
+{
+double SecondsOf(const std::function<void()>& run)
+{
+  const double start = Now();
+  run();
+  return Now() - start;
+}
+
+/// The largest memory of the process since the last call, in bytes; 0 where the system does not say.
+double PeakMemory(bool restart)
+{
+  double kilobytes = 0.0;
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.compare(0, 6, "VmHWM:") == 0)
+    {
+      kilobytes = std::stod(line.substr(6));
+    }
+  }
+  if (restart)
+  {
+    std::ofstream("/proc/self/clear_refs") << 5;
+  }
+  return 1024.0 * kilobytes;
+}
+
+/// A sphere of about so many triangles in the middle of the room, beneath a disc light, seen from the front.
+struct SphereRoom
+{
+  explicit SphereRoom(double triangles)
+  {
+    const int across = std::max(8, static_cast<int>(std::lround(std::sqrt(triangles))));
+    vtkNew<vtkSphereSource> source;
+    source->SetThetaResolution(across);
+    source->SetPhiResolution(across / 2 + 1);
+    source->SetRadius(1.0);
+    source->SetCenter(0.0, 2.5, 0.0);
+    source->Update();
+    this->Mesh->ShallowCopy(source->GetOutput());
+    this->Mesh->GetPointData()->SetNormals(nullptr);
+    this->Light->SetShapeToDisc();
+    this->Light->SetCenter(0.0, 5.49, 0.0);
+    this->Light->SetNormal(0.0, -1.0, 0.0);
+    this->Light->SetRadius(0.5);
+    this->Volume->SetMeshData(this->Mesh);
+    this->Volume->SetLightConnection(this->Light->GetOutputPort());
+    this->Volume->SetBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
+    this->Camera->SetPosition(0.0, 2.65, 10.0);
+    this->Camera->SetFocalPoint(0.0, 2.65, 0.0);
+    this->Image->SetInputData(this->Mesh);
+    this->Image->SetLightConnection(this->Light->GetOutputPort());
+    this->Image->SetVisibilityVolumeConnection(this->Volume->GetOutputPort());
+    this->Image->SetModeToVolume();
+    this->Image->SetCamera(this->Camera);
+    this->Image->SetMediumBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
+  }
+  double Frame()
+  {
+    return SecondsOf(
+      [this]
+      {
+        this->Camera->Azimuth(0.5);
+        this->Image->Update();
+      });
+  }
+  double MedianOfFrames(int count)
+  {
+    std::vector<double> seconds;
+    for (int k = 0; k < count; ++k)
+    {
+      seconds.push_back(this->Frame());
+    }
+    std::nth_element(seconds.begin(), seconds.begin() + count / 2, seconds.end());
+    return seconds[static_cast<std::size_t>(count / 2)];
+  }
+
+  vtkNew<vtkPolyData> Mesh;
+  vtkNew<vtkAreaLightSource> Light;
+  vtkNew<vtkVisibilityVolume> Volume;
+  vtkNew<vtkCamera> Camera;
+  vtkNew<vtkScatteringImageFilter> Image;
+};
+
+void MeasureFrames(double triangles, int size)
+{
+  SphereRoom room(triangles);
+  room.Volume->SetDimensions(65, 65, 65);
+  const double fill = SecondsOf([&] { room.Volume->Update(); });
+  room.Image->SetResolution(size, size);
+  const double first = room.Frame();
+  const double further = room.MedianOfFrames(9);
+  const vtkIdType rays = room.Image->GetNumberOfRaysSent();
+  const double exposed = SecondsOf(
+    [&]
+    {
+      room.Image->AutoExposureOff();
+      room.Image->SetExposure(2.0);
+      room.Image->Update();
+    });
+  std::printf("frames: %lld triangles, Volume, %d x %d: volume filled %.3f s, first image %.3f s, further ones %.4f s, "
+              "another exposure %.4f s and %lld rays; %lld preparations; kept %.1f MB\n",
+    static_cast<long long>(room.Mesh->GetNumberOfCells()), size, size, fill, first, further, exposed,
+    static_cast<long long>(room.Image->GetNumberOfRaysSent() - rays),
+    static_cast<long long>(room.Image->GetNumberOfPreparations()),
+    static_cast<double>(room.Image->GetPreparedMemory()) * 1e-6);
+  std::fflush(stdout);
+}
+
+void MeasureVolume(int points)
+{
+  SphereRoom room(2000.0);
+  room.Volume->SetDimensions(points, points, points);
+  room.Volume->SetNumberOfLightSamples(1);
+  room.Volume->SetBrickParts(1);
+  room.Volume->Update();
+  room.Image->SetResolution(64, 64);
+  const double first = room.Frame();
+  const double further = room.MedianOfFrames(5);
+  std::printf("volume: %d^3 points, 64 x 64: first image %.3f s, further ones %.4f s\n", points, first, further);
+  std::fflush(stdout);
+}
+
+void MeasureProbe(const std::string& name, int points, int samples)
+{
+  const BenchmarkScene scene(name);
+  vtkNew<vtkPoints> where;
+  for (int k = 0; k < points; ++k)
+  {
+    const auto at = [k](int base)
+    {
+      double value = 0.0;
+      double digit = 1.0;
+      for (int rest = k + 1; rest > 0; rest /= base)
+      {
+        digit /= base;
+        value += digit * (rest % base);
+      }
+      return value;
+    };
+    where->InsertNextPoint(5.4 * at(2) - 2.7, 5.1 * at(3), 5.4 * at(5) - 2.7);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(where);
+  vtkNew<vtkAreaLightSource> light;
+  light->SetShapeToDisc();
+  light->SetCenter(0.0, 5.49, 0.0);
+  light->SetNormal(0.0, -1.0, 0.0);
+  light->SetRadius(0.5);
+  vtkNew<vtkConeSetProbe> probe;
+  probe->SetInputData(data);
+  probe->SetLightConnection(light->GetOutputPort());
+  probe->SetMeshData(scene.Occluders);
+  probe->SetMethodToExact();
+  probe->SetNumberOfLightSamples(samples);
+  const double first = SecondsOf([&] { probe->Update(); });
+  std::vector<double> seconds;
+  for (int k = 0; k < 5; ++k)
+  {
+    probe->Modified();
+    seconds.push_back(SecondsOf([&] { probe->Update(); }));
+  }
+  std::sort(seconds.begin(), seconds.end());
+  std::printf("probe: %s, %d points x %d: first %.3f s, again %.3f s\n", name.c_str(), points, samples, first, seconds[2]);
+  std::fflush(stdout);
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  CLI::App app("What the pipeline costs beside the estimators.");
+  std::vector<std::string> rows{ "frames", "volume", "probe", "threads" };
+  double triangles = 1e6;
+  int size = 256;
+  int points = 257;
+  std::string scene = "chair";
+  app.add_option("--rows", rows, "frames, volume, probe, threads")->capture_default_str();
+  app.add_option("--triangles", triangles, "of the sphere")->capture_default_str();
+  app.add_option("--size", size, "width and height of images, pixels")->capture_default_str();
+  app.add_option("--points", points, "of a volume along a side")->capture_default_str();
+  app.add_option("--scene", scene, "chair, tree, blob or a mesh file, for probes and threads")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try
+  {
+    for (const std::string& row : rows)
+    {
+      if (row == "frames")
+      {
+        MeasureFrames(triangles, size);
+      }
+      else if (row == "volume")
+      {
+        MeasureVolume(points);
+      }
+      else if (row == "probe")
+      {
+        MeasureProbe(scene, 20000, 64);
+      }
+      else if (row == "threads")
+      {
+        MeasureThreads(scene, size);
+      }
+    }
+  }
+  catch (const std::exception& failure)
+  {
+    std::fprintf(stderr, "pipeline-speed: %s\n", failure.what());
+    return 1;
+  }
+  return 0;
+}
