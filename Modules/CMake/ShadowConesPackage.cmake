@@ -10,4 +10,4 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/${_cmake_dir}/shadowcones-
 install(FILES
   "${CMAKE_BINARY_DIR}/${_cmake_dir}/shadowcones-config.cmake"
   "${CMAKE_BINARY_DIR}/${_cmake_dir}/shadowcones-config-version.cmake"
-  DESTINATION "${_cmake_dir}")
+  DESTINATION "${_cmake_dir}" COMPONENT development)

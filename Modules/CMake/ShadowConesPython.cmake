@@ -31,4 +31,5 @@ foreach (_source IN LISTS _sources)
   configure_file("${_source_dir}/${_source}" "${_built_dir}/${_source}" COPYONLY)
 endforeach ()
 list(TRANSFORM _sources PREPEND "${_built_dir}/")
-install(FILES "${_built_dir}/__init__.py" "${_built_dir}/__init__.pyi" ${_sources} DESTINATION "${_package_dir}/shadowcones")
+install(FILES "${_built_dir}/__init__.py" "${_built_dir}/__init__.pyi" ${_sources}
+  DESTINATION "${_package_dir}/shadowcones" COMPONENT python)

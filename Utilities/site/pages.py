@@ -153,6 +153,7 @@ class Site:
         return [{"Home": self.place("README.md")}, {"Guide": [self.place("Documentation/README.md")] + guide},
                 {"Filters": filters}, {"Examples": examples}, {"Notes": notes}, {"C++ reference": "api/index.html"},
                 {"Project": [{"What is new": self.place("CHANGELOG.md")}, {"Contributing": self.place("CONTRIBUTING.md")},
+                             {"Security": self.place("SECURITY.md")},
                              {"Core": self.place("Modules/Core/README.md")}, {"Meshes": self.place("Data/README.md")}]}]
 
 

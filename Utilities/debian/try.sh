@@ -1,0 +1,47 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# Inside a fresh system: install the packages in /packages and use each as its user would.
+set -eu
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C
+
+apt-get -q install -y --no-install-recommends /packages/*.deb cmake g++ make >/packages/install.log 2>&1 || {
+  tail -n 20 /packages/install.log >&2
+  exit 1
+}
+dpkg-query -W -f '${Package} ${Version} ${db:Status-Status}\n' 'libshadowcones*' 'python3-shadowcones' 'shadowcones*'
+
+printf '\nPython: '
+python3 - <<'PYTHON'
+import shadowcones as sc
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
+
+cube = vtkCubeSource()
+light = sc.vtkAreaLightSource()
+light.SetShapeToSun()
+light.SetNormal(0, -1, 0)
+below = vtkPlaneSource()
+below.SetOrigin(-0.1, -1, -0.1)
+below.SetPoint1(0.1, -1, -0.1)
+below.SetPoint2(-0.1, -1, 0.1)
+probe = sc.vtkConeSetProbe()
+probe.SetInputConnection(below.GetOutputPort())
+probe.SetMeshConnection(cube.GetOutputPort())
+probe.SetLightConnection(light.GetOutputPort())
+probe.Update()
+visible = probe.GetOutput().GetPointData().GetArray("Visibility").GetRange()
+print("visible below a cube:", visible)
+assert visible == (0.0, 0.0)
+PYTHON
+
+printf '\nA program of its own:\n'
+cmake -S /packages/Consumer -B /tmp/consumer >/tmp/consumer.log 2>&1 && cmake --build /tmp/consumer >>/tmp/consumer.log 2>&1 || {
+  tail -n 20 /tmp/consumer.log >&2
+  exit 1
+}
+/tmp/consumer/consumer
+
+if command -v shadowcones >/dev/null 2>&1; then
+  printf '\nThe command:\n'
+  shadowcones --version
+fi
+printf '\nEvery package installs and works.\n'
