@@ -43,6 +43,7 @@ if [ ! -f "$system/.complete" ]; then
     tail -n 20 "$build/debootstrap.log" >&2
     fail "debootstrap could not make a system from the package sources of this one"
   }
+  rm -f "$system/etc/apt/sources.list"
   cp -r /etc/apt/. "$system/etc/apt/"
   cp /etc/resolv.conf "$system/etc/resolv.conf"
   chroot "$system" apt-get -q update >"$build/update.log" 2>&1 || fail "the fresh system cannot reach the package sources"
@@ -52,4 +53,5 @@ mkdir -p "$system/packages"
 cp "$packages"/*.deb "$system/packages/"
 cp -r "$root/Examples/Consumer" "$system/packages/"
 cp "$root/Utilities/debian/try.sh" "$system/packages/"
-chroot "$system" sh /packages/try.sh
+# Some packages look at /proc while they are installed; in a mount namespace it is gone again afterwards.
+unshare --mount sh -c 'mount -t proc proc "$0/proc" && chroot "$0" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin sh /packages/try.sh' "$system"

@@ -2,7 +2,7 @@
 # The Python package 'shadowcones': every wrapped class under one name.
 set(_package_dir "lib/python3/dist-packages")
 vtk_module_wrap_python(
-  MODULES ShadowCones::Sources ShadowCones::Filters ShadowCones::Imaging ShadowCones::Words
+  MODULES ShadowCones::Sources ShadowCones::Filters ShadowCones::Imaging ShadowCones::Words ShadowCones::Page
   TARGET ShadowConesPythonWrapped
   PYTHON_PACKAGE "shadowcones"
   MODULE_DESTINATION "${_package_dir}"
@@ -17,7 +17,8 @@ set(_built_dir "${CMAKE_BINARY_DIR}/${_package_dir}/shadowcones")
 # Types of the wrapped classes: VTK 9.1 writes none.
 file(GLOB _headers CONFIGURE_DEPENDS
   "${PROJECT_SOURCE_DIR}/Modules/Sources/vtk*.h" "${PROJECT_SOURCE_DIR}/Modules/Filters/vtk*.h"
-  "${PROJECT_SOURCE_DIR}/Modules/Imaging/vtk*.h" "${PROJECT_SOURCE_DIR}/Modules/Words/vtk*.h")
+  "${PROJECT_SOURCE_DIR}/Modules/Imaging/vtk*.h" "${PROJECT_SOURCE_DIR}/Modules/Words/vtk*.h"
+  "${PROJECT_SOURCE_DIR}/Modules/Page/vtk*.h")
 set(_class_stubs)
 foreach (_header IN LISTS _headers)
   get_filename_component(_class "${_header}" NAME_WE)

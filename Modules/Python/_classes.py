@@ -10,3 +10,4 @@ from .ShadowConesSources import *
 from .ShadowConesFilters import *
 from .ShadowConesImaging import *
 from .ShadowConesWords import *
+from .ShadowConesPage import *

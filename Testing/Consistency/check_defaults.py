@@ -98,7 +98,7 @@ def faults(root):
                 yield f"{name}: the XML says {xml[parameter]} for {parameter}, the header {default}"
             if instance is not None:
                 got = getattr(instance, "Get" + parameter)()
-                got = [float(v) for v in (got if isinstance(got, tuple) else (got,))]
+                got = value(got, {}) if isinstance(got, str) else [float(v) for v in (got if isinstance(got, tuple) else (got,))]
                 if got != default:
                     yield f"{name}: Get{parameter}() gives {got}, the header says {default}"
 

@@ -6,8 +6,9 @@ import posixpath
 import sourcetree
 
 LINE = "SPDX-License-Identifier: " + "BSD-3-Clause"
-# Pages and data say it in LICENSE and Data/README.md; JSON has no comments.
-EXEMPT = (".md", ".json", ".vtp", ".vti", ".png", ".svg", ".pvsm", "LICENSE", ".gitignore", ".gitattributes")
+# Pages and data say it in LICENSE and Data/README.md; JSON has no comments; bundles have their licences beside them.
+EXEMPT = (".md", ".json", ".vtp", ".vti", ".png", ".svg", ".pvsm", "LICENSE", "LICENSES.txt", ".bundle.js", ".gitignore",
+          ".gitattributes")
 
 
 def faults(root):
@@ -16,7 +17,7 @@ def faults(root):
             continue
         content = sourcetree.text(root, path)
         first = (content or "").splitlines()[:2]
-        lines = first if first and first[0].startswith(("#!", "<?xml")) else first[:1]
+        lines = first if first and first[0].startswith(("#!", "<?xml", "<!DOCTYPE")) else first[:1]
         if not any(LINE in line for line in lines):
             yield f"{path}: does not begin with '{LINE}'"
 

@@ -12,7 +12,7 @@ import re
 import sourcetree
 
 PAGE = "Documentation/6-errors.md"
-SOURCES = r"Modules/(Core|Data|Sources|Filters|Imaging|Words)/(?!Testing/).*\.(cxx|h)"
+SOURCES = r"Modules/(Core|Data|Sources|Filters|Imaging|Words|Page)/(?!Testing/).*\.(cxx|h)"
 TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|'(?:\\.|[^'\\\n])+'|(\"(?:\\.|[^\"\\\n])*\"(?:\s*\"(?:\\.|[^\"\\\n])*\")*)", re.DOTALL)
 
 

@@ -4,6 +4,7 @@
 set -eu
 export DEBIAN_FRONTEND=noninteractive LC_ALL=C
 
+dpkg --configure -a >/packages/configure.log 2>&1 || true
 apt-get -q install -y --no-install-recommends /packages/*.deb cmake g++ make >/packages/install.log 2>&1 || {
   tail -n 20 /packages/install.log >&2
   exit 1
@@ -34,11 +35,11 @@ assert visible == (0.0, 0.0)
 PYTHON
 
 printf '\nA program of its own:\n'
-cmake -S /packages/Consumer -B /tmp/consumer >/tmp/consumer.log 2>&1 && cmake --build /tmp/consumer >>/tmp/consumer.log 2>&1 || {
-  tail -n 20 /tmp/consumer.log >&2
+cmake --fresh -S /packages/Consumer -B /packages/consumer-build >/packages/consumer.log 2>&1 && cmake --build /packages/consumer-build >>/packages/consumer.log 2>&1 || {
+  tail -n 20 /packages/consumer.log >&2
   exit 1
 }
-/tmp/consumer/consumer
+/packages/consumer-build/consumer
 
 if command -v shadowcones >/dev/null 2>&1; then
   printf '\nThe command:\n'
