@@ -22,28 +22,31 @@ bool IsPlanar(const Light& light)
   return light.Shape == LightShape::Disc || light.Shape == LightShape::Rectangle;
 }
 
+/// Points without extent, and a Sun that is one direction.
 bool IsPointlike(const Light& light)
 {
-  return light.Shape == LightShape::Point || (light.Shape == LightShape::Mesh && light.Triangles.empty());
+  return light.Shape == LightShape::Point || (light.Shape == LightShape::Mesh && light.Triangles.empty()) ||
+    (light.Shape == LightShape::Sun && !(light.Radius > 0.0));
 }
 } // anonymous namespace
 
-LightPatterns::LightPatterns(const Light& light, int numberOfSamples, std::uint64_t seed)
+LightPatterns::LightPatterns(const Light& light, const LightPatternOptions& options)
   : TheLight(light)
-  , NumberOfSamples(numberOfSamples)
-  , Seed(seed)
+  , NumberOfSamples(options.NumberOfSamples)
+  , Outline(options.Outline)
+  , Seed(options.Seed)
 {
   const int points =
-    light.Shape == LightShape::Point ? 1 : static_cast<int>(std::min<std::size_t>(light.Vertices.size(), 1u << 30));
-  if (IsPointlike(light) && points <= numberOfSamples)
+    light.Shape == LightShape::Mesh ? static_cast<int>(std::min<std::size_t>(light.Vertices.size(), 1u << 30)) : 1;
+  if (IsPointlike(light) && points <= this->NumberOfSamples)
   {
     this->NumberOfSamples = points;
     this->Exact = true;
   }
-  else
+  else if (!options.Same && !options.Outline)
   {
     this->NumberOfPatterns =
-      static_cast<std::size_t>(std::clamp(samplesOfAllPatterns / numberOfSamples, fewestPatterns, mostPatterns));
+      static_cast<std::size_t>(std::clamp(samplesOfAllPatterns / this->NumberOfSamples, fewestPatterns, mostPatterns));
   }
   const auto count = static_cast<std::size_t>(this->NumberOfSamples);
   this->Stride = (count + 63) / 64 * 64;
@@ -64,37 +67,89 @@ LightPatterns::LightPatterns(const Light& light, int numberOfSamples, std::uint6
 
 void LightPatterns::AddPattern(std::size_t pattern)
 {
-  const Light& light = this->TheLight;
   const std::uint64_t seed = HashSeed(this->Seed, pattern);
   for (std::size_t k = 0; k < this->Stride; ++k)
   {
     const bool padding = k >= static_cast<std::size_t>(this->NumberOfSamples);
-    const std::array<double, 4> uv = this->Exact
-      ? std::array<double, 4>{ (static_cast<double>(k) + 0.5) / this->NumberOfSamples, 0.5, 0.0, 0.0 }
-      : SobolPoint(seed, static_cast<std::uint32_t>(k));
-    if (light.Shape == LightShape::Sphere)
+    if (this->Exact && !padding)
     {
-      Light disc;
-      disc.Radius = 1.0;
-      const Vector3 place = padding ? Vector3{} : SampleLightArea(disc, uv[0], uv[1]).Position;
-      this->As.push_back(Dot(place, FrameAround(disc.Normal).U));
-      this->Bs.push_back(Dot(place, FrameAround(disc.Normal).V));
-      continue;
+      this->AddSample((static_cast<double>(k) + 0.5) / this->NumberOfSamples, 0.5);
     }
-    const LightSurfaceSample sample = padding ? LightSurfaceSample{} : SampleLightArea(light, uv[0], uv[1]);
-    if (IsPlanar(light))
+    else if (this->Outline && !padding && k % 2 == 0)
     {
-      const Vector3 offset = padding ? Vector3{} : sample.Position - light.Center;
-      this->As.push_back(Dot(offset, this->U) / Dot(this->U, this->U));
-      this->Bs.push_back(Dot(offset, this->V) / Dot(this->V, this->V));
-      continue;
+      this->AddOutlineSample(static_cast<double>(k) / static_cast<double>(this->NumberOfSamples));
     }
-    this->Positions.push_back(sample.Position);
-    if (light.Shape == LightShape::Mesh && !light.Triangles.empty())
+    else
     {
-      this->Normals.push_back(sample.Normal);
+      const auto uv = SobolPoint(seed, static_cast<std::uint32_t>(this->Outline ? k / 2 : k));
+      this->AddSample(padding ? 0.5 : uv[0], padding ? 0.5 : uv[1]);
     }
   }
+}
+
+void LightPatterns::AddSample(double u, double v)
+{
+  const Light& light = this->TheLight;
+  if (light.Shape == LightShape::Sphere)
+  {
+    Light disc;
+    disc.Radius = 1.0;
+    const Vector3 place = SampleLightArea(disc, u, v).Position;
+    this->As.push_back(Dot(place, FrameAround(disc.Normal).U));
+    this->Bs.push_back(Dot(place, FrameAround(disc.Normal).V));
+    return;
+  }
+  const LightSurfaceSample sample = SampleLightArea(light, u, v);
+  if (IsPlanar(light))
+  {
+    const Vector3 offset = sample.Position - light.Center;
+    this->As.push_back(Dot(offset, this->U) / Dot(this->U, this->U));
+    this->Bs.push_back(Dot(offset, this->V) / Dot(this->V, this->V));
+    return;
+  }
+  this->Positions.push_back(sample.Position);
+  if (light.Shape == LightShape::Mesh && !light.Triangles.empty())
+  {
+    this->Normals.push_back(sample.Normal);
+  }
+}
+
+/// @param turn 0..1, around the outline; of a mesh through the corners of its triangles.
+void LightPatterns::AddOutlineSample(double turn)
+{
+  const Light& light = this->TheLight;
+  if (light.Shape == LightShape::Mesh && !light.Triangles.empty())
+  {
+    const auto corner = static_cast<std::size_t>(turn * static_cast<double>(3 * light.Triangles.size()));
+    const std::array<Vector3, 3>& t = light.Triangles[corner / 3];
+    this->Positions.push_back(t[corner % 3]);
+    this->Normals.push_back(Normalized(Cross(t[1] - t[0], t[2] - t[0])));
+    return;
+  }
+  // The edge of the unit square: the maps take it to the outline of every other shape.
+  const double along = 4.0 * turn;
+  const auto side = std::min(static_cast<int>(along), 3);
+  const double rest = along - side;
+  const double us[4] = { rest, 1.0, 1.0 - rest, 0.0 };
+  const double vs[4] = { 0.0, rest, 1.0, 1.0 - rest };
+  this->AddSample(us[side], vs[side]);
+}
+
+double LightPatterns::WeightOf(const LightView& view, std::size_t k) const
+{
+  const Light& light = this->TheLight;
+  if (light.Shape == LightShape::Sphere || light.Shape == LightShape::Sun)
+  {
+    return 1.0;
+  }
+  const Vector3 to{ view.X[k], view.Y[k], view.Z[k] };
+  const double squared = Dot(to, to);
+  if (IsPointlike(light))
+  {
+    return 1.0 / squared;
+  }
+  const Vector3& normal = IsPlanar(light) ? light.Normal : this->Normals[view.First + k];
+  return -Dot(to, normal) / (squared * std::sqrt(squared));
 }
 
 std::size_t LightPatterns::PatternOf(const Vector3& point) const
@@ -163,6 +218,7 @@ void LightPatterns::LookFrom(const Vector3& point, LightView& view) const
   view.Y.resize(this->Stride);
   view.Z.resize(this->Stride);
   view.Open = this->Full;
+  view.First = first;
   view.A = nullptr;
   view.B = nullptr;
   const auto put = [&view](std::size_t k, const Vector3& to)

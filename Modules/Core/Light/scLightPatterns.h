@@ -8,6 +8,7 @@
 
 #include "scLight.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,15 @@ struct LightView
   std::vector<double> Y;
   std::vector<double> Z;
   LightMask Open; ///< samples whose face emits towards the point
+  std::size_t First = 0; ///< of the samples, among those of all patterns
+};
+
+struct LightPatternOptions
+{
+  int NumberOfSamples = 64;
+  std::uint64_t Seed = 1;
+  bool Same = false;    ///< every point takes the same samples: what is counted changes steadily from point to point
+  bool Outline = false; ///< every second sample lies on the outline of the light, its corners among them; Same
 };
 
 /**
@@ -36,9 +46,13 @@ struct LightView
 class LightPatterns
 {
 public:
-  LightPatterns(const Light& light, int numberOfSamples, std::uint64_t seed);
+  LightPatterns(const Light& light, const LightPatternOptions& options);
+  LightPatterns(const Light& light, int numberOfSamples, std::uint64_t seed)
+    : LightPatterns(light, LightPatternOptions{ numberOfSamples, seed })
+  {
+  }
 
-  /// Samples a point; point lights that are no more than asked for are taken once each.
+  /// Samples a point; point lights that are no more than asked for are taken once each, a Sun without a size once.
   int Count() const { return this->NumberOfSamples; }
   /// The samples are all of the light: there is no sampling error.
   bool IsExact() const { return this->Exact; }
@@ -51,15 +65,24 @@ public:
   /// at.
   bool IsWholeFrom(const Vector3& point) const;
   void LookFrom(const Vector3& point, LightView& view) const;
+  /**
+   * What sample @p k of a view stands for of the integral over all directions, in a unit that is the same for all samples of
+   * the view: the solid angle of an equal part of the light's area, or 1 where samples are uniform in solid angle; Point: 1 /
+   * distance^2. For samples that are open.
+   */
+  double WeightOf(const LightView& view, std::size_t k) const;
 
 private:
   std::size_t PatternOf(const Vector3& point) const;
   void AddPattern(std::size_t pattern);
+  void AddSample(double u, double v);
+  void AddOutlineSample(double turn);
   void LookAtSphere(const Vector3& point, std::size_t first, LightView& view) const;
 
   Light TheLight;
   int NumberOfSamples;
   bool Exact = false;
+  bool Outline = false;
   std::uint64_t Seed;
   std::size_t NumberOfPatterns = 1;
   std::size_t Stride = 0; ///< samples a pattern, whole blocks

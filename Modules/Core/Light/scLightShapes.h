@@ -31,7 +31,8 @@ namespace shadowcones
  * - SampleIncident(light, from, u, v, sampling): see SampleIncidentLight;
  * - SampleVisible(light, from, u, v): a direction for the visible fraction of the light, see SampleVisibleLight.
  *
- * Beyond sampling a shape is asked for in these places, whose switches have a case for each: LightRule (quadrature),
+ * Beyond sampling a shape is asked for in these places, whose switches have a case for each: WholeFluence and
+ * WholeIrradiance (closed forms), LightRule (quadrature),
  * LightPatterns (what a probe sees), VisibleLight (what the camera sees), LightPartsOf and CheckConeProof (proofs),
  * MisfitOf (a mesh that goes with it), and ReadLight of the module Data.
  */

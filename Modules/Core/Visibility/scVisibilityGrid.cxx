@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scVisibilityGrid.h"
 
-#include "scBits.h"
 #include "scConeHierarchy.h"
-#include "scLampPlane.h"
-#include "scLightPatterns.h"
 #include "scSurfelVisibility.h"
 #include "scTrilinear.h"
+#include "scVisibilitySampler.h"
+#include "scWholeLight.h"
 
 #include <algorithm>
 #include <atomic>
@@ -51,85 +50,6 @@ Cone WidePenumbraOf(const Cone& disc, const Light& light, const LightExtent& ext
   }
   return penumbra;
 }
-
-/// Asks for the visible fraction at points anywhere, whether a cone holds them or not.
-class Sampler
-{
-public:
-  Sampler(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene, const Box& bounds,
-    const VisibilityGridOptions& options)
-    : Patterns(light, options.NumberOfLightSamples, options.Seed)
-    , Scene(scene)
-    , Rules(scene ? scene->RulesFor(FlatFaceOf(light)) : RayRules())
-    , AtInfinity(IsAtInfinity(light))
-  {
-    if (options.Method == VisibilityMethod::Soft)
-    {
-      VisibilityOptions soft;
-      soft.Method = VisibilityMethod::Soft;
-      soft.NumberOfLightSamples = options.NumberOfLightSamples;
-      soft.Seed = options.Seed;
-      this->Discs = std::make_unique<VisibilityProbe>(cones, light, nullptr, bounds, soft);
-    }
-  }
-
-  /// @return false, with nothing changed, where the light does not emit towards the point. @p rays grows by those sent.
-  bool Ask(const Vector3& point, float& fraction, ShadowClass& shadow, vtkIdType& rays) const
-  {
-    if (this->Discs)
-    {
-      const PointVisibility soft = this->Discs->At(point);
-      if (!(soft.Fraction > 0.0) && !this->Emits(point))
-      {
-        return false;
-      }
-      fraction = static_cast<float>(soft.Fraction);
-      shadow = soft.Class;
-      return true;
-    }
-    thread_local LightView view;
-    this->Patterns.LookFrom(point, view);
-    int open = 0;
-    int hidden = 0;
-    for (std::size_t block = 0; block < view.Open.size(); ++block)
-    {
-      const std::size_t first = 64 * block;
-      const std::uint64_t wanted = view.Open[block];
-      open += CountBits(wanted);
-      hidden += this->Scene ? CountBits(this->Scene->OccludedFrom(point, view.X.data() + first, view.Y.data() + first,
-                                view.Z.data() + first, wanted, this->AtInfinity, this->Rules))
-                            : 0;
-    }
-    if (open == 0)
-    {
-      return false;
-    }
-    rays += this->Scene ? open : 0;
-    const SeenSamples seen{ open, open - hidden };
-    fraction = static_cast<float>(seen.Fraction());
-    shadow = seen.Class();
-    return true;
-  }
-
-private:
-  /// Does the light send anything towards the point?
-  bool Emits(const Vector3& point) const
-  {
-    thread_local LightView view;
-    if (this->Patterns.IsWholeFrom(point))
-    {
-      return true;
-    }
-    this->Patterns.LookFrom(point, view);
-    return std::any_of(view.Open.begin(), view.Open.end(), [](std::uint64_t word) { return word != 0; });
-  }
-
-  LightPatterns Patterns;
-  const OccluderScene* Scene;
-  RayRules Rules;
-  bool AtInfinity;
-  std::unique_ptr<VisibilityProbe> Discs; ///< Soft
-};
 
 /// A cube inside a brick: its first corner in the brick's own grid. Its side is that of all cubes of the same round.
 struct Part
@@ -199,6 +119,8 @@ public:
     grid.Visibility.assign(count, 1.0f);
     grid.ShadowClasses.assign(count, static_cast<unsigned char>(ShadowClass::Lit));
     grid.Marked.assign(count, 0);
+    grid.Fluence.assign(options.Fluence ? count : 0, 0.0f);
+    grid.FluenceErrors.assign(grid.Fluence.size(), 0.0f);
     for (int axis = 0; axis < 3; ++axis)
     {
       const bool all = options.Extent[2 * axis] > options.Extent[2 * axis + 1];
@@ -216,6 +138,7 @@ public:
 
 private:
   bool Mark(const Box& bounds, const Monitor& monitor);
+  bool FillWholeFluence(const Monitor& monitor);
   bool FillVertices(const Monitor& monitor);
   bool FillBricks(const Monitor& monitor);
   bool FindBricks(const Monitor& monitor, std::vector<Part>& parts);
@@ -240,7 +163,7 @@ private:
   const Light& Lamp;
   const VisibilityGridOptions& Options;
   VisibilityGrid& Grid;
-  Sampler Asked;
+  VisibilitySampler Asked;
   std::array<int, 3> First{};
   std::array<int, 3> Last{};
 };
@@ -285,12 +208,39 @@ bool Filler::Mark(const Box& bounds, const Monitor& monitor)
   return true;
 }
 
+/// The fluence at all wanted vertices as if nothing were in the way, where it is asked for.
+bool Filler::FillWholeFluence(const Monitor& monitor)
+{
+  VisibilityGrid& grid = this->Grid;
+  const vtkIdType rows = this->Last[1] - this->First[1] + 1;
+  const vtkIdType layers = this->Last[2] - this->First[2] + 1;
+  return grid.Fluence.empty() ||
+    ParallelFor(rows * layers, monitor,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType row = begin; row < end; ++row)
+        {
+          const int j = this->First[1] + static_cast<int>(row % rows);
+          const int k = this->First[2] + static_cast<int>(row / rows);
+          for (int i = this->First[0]; i <= this->Last[0]; ++i)
+          {
+            grid.Fluence[grid.VertexIndex(i, j, k)] =
+              static_cast<float>(WholeFluence(this->Lamp, grid.Vertex(i, j, k)));
+          }
+        }
+      });
+}
+
 bool Filler::FillVertices(const Monitor& monitor)
 {
   VisibilityGrid& grid = this->Grid;
   const int nx = grid.Dimensions[0];
   const int ny = grid.Dimensions[1];
   std::vector<vtkIdType> wanted;
+  if (!this->FillWholeFluence(monitor.Part(0.0, 0.02)))
+  {
+    return false;
+  }
   const auto collect = [&](int k, std::vector<vtkIdType>& found)
   {
     for (int j = 0; j < ny; ++j)
@@ -308,7 +258,7 @@ bool Filler::FillVertices(const Monitor& monitor)
       }
     }
   };
-  if (!CollectLayers(0, grid.Dimensions[2], monitor.Part(0.0, 0.05), collect, wanted))
+  if (!CollectLayers(0, grid.Dimensions[2], monitor.Part(0.02, 0.05), collect, wanted))
   {
     return false;
   }
@@ -323,9 +273,15 @@ bool Filler::FillVertices(const Monitor& monitor)
         const auto i = static_cast<int>(id % nx);
         const auto j = static_cast<int>(id / nx % ny);
         const auto k = static_cast<int>(id / nx / ny);
-        ShadowClass shadow = ShadowClass::Lit;
-        grid.Marked[id] = this->Asked.Ask(grid.Vertex(i, j, k), grid.Visibility[id], shadow, rays) ? 1 : 0;
-        grid.ShadowClasses[id] = static_cast<unsigned char>(shadow);
+        VisibilitySampler::Answer answer;
+        grid.Marked[id] = this->Asked.Ask(grid.Vertex(i, j, k), answer, rays) ? 1 : 0;
+        grid.Visibility[id] = answer.Fraction;
+        grid.ShadowClasses[id] = static_cast<unsigned char>(answer.Class);
+        if (!grid.Fluence.empty() && grid.Marked[id])
+        {
+          grid.Fluence[id] = static_cast<float>(answer.Fluence.Factor);
+          grid.FluenceErrors[id] = static_cast<float>(answer.Fluence.Error);
+        }
       }
       sent += rays;
     });
@@ -429,14 +385,17 @@ bool Filler::AskInside(const std::vector<Part>& parts, int step, int smaller, co
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType rays = 0;
-      ShadowClass shadow = ShadowClass::Lit;
+      VisibilitySampler::Answer answer;
       for (vtkIdType p = begin; p < end; ++p)
       {
         const vtkIdType point = points[static_cast<std::size_t>(p)];
         const Vector3 place{ grid.Spacing.X * (static_cast<double>(point % nx) / side),
           grid.Spacing.Y * (static_cast<double>(point / nx % ny) / side),
           grid.Spacing.Z * (static_cast<double>(point / nx / ny) / side) };
-        this->Asked.Ask(grid.Origin + place, values[static_cast<std::size_t>(p)], shadow, rays);
+        if (this->Asked.Ask(grid.Origin + place, answer, rays))
+        {
+          values[static_cast<std::size_t>(p)] = answer.Fraction;
+        }
       }
       sent += rays;
     });

@@ -38,6 +38,8 @@ struct VisibilityGrid
   int BrickParts = 0;                  ///< parts into which a brick cuts its cell's sides; 0: no bricks
   std::vector<vtkIdType> BrickCells;   ///< refined cells, ascending: i + (nx - 1) (j + (ny - 1) k) of the whole grid
   std::vector<float> BrickVisibility;  ///< (BrickParts + 1)^3 values a brick, i fastest, its cell's corners among them
+  std::vector<float> Fluence;          ///< at vertices that are wanted, see ArrivingLight; empty: not asked for
+  std::vector<float> FluenceErrors;
   vtkIdType NumberOfOcclusionRays = 0; ///< sent to fill it; 0 where not known
 
   Vector3 Vertex(int i, int j, int k) const
@@ -66,6 +68,7 @@ struct VisibilityGridOptions
   std::array<int, 3> Dimensions{ 65, 65, 65 }; ///< vertices along each side, at least 2; at most 2^31 - 1 in all
   int NumberOfLightSamples = 16;               ///< a vertex, 1..65536
   std::uint64_t Seed = 1;
+  bool Fluence = false;                        ///< ask for it too
   int BrickParts = 2; ///< parts into which refined cells are cut along each side, 1..32; 1: nothing is refined
   /**
    * Cells whose corners differ by more than this are refined, 0..1; 1: none are. An even number of parts is reached by

@@ -6,8 +6,11 @@
 #include "scLampPlane.h"
 #include "scLightPatterns.h"
 #include "scSurfelVisibility.h"
+#include "scWholeLight.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace shadowcones
 {
@@ -19,6 +22,7 @@ struct Scratch
   LightView View;
   OccluderMasks Masks;
   LightMask Above; ///< samples that the point's own surface lets through
+  LightMask Seen;  ///< those of them that no occluder hides
   std::vector<RayHit> Hits;
   std::vector<int> Discs; ///< that may hide light
 };
@@ -56,21 +60,54 @@ int MainOccluder(const Scratch& scratch)
   return found;
 }
 
-/// Samples that neither the point's own surface nor an occluder hides.
-int CountVisible(const Scratch& scratch)
+/// Find the samples that neither the point's own surface nor an occluder hides. @return their number.
+int FindSeen(Scratch& scratch)
 {
   const std::size_t blocks = scratch.Masks.NumberOfBlocks;
+  scratch.Seen = scratch.Above;
   int visible = 0;
   for (std::size_t block = 0; block < blocks; ++block)
   {
-    std::uint64_t hidden = 0;
     for (std::size_t i = 0; i < scratch.Masks.OccluderIds.size(); ++i)
     {
-      hidden |= scratch.Masks.Words[i * blocks + block];
+      scratch.Seen[block] &= ~scratch.Masks.Words[i * blocks + block];
     }
-    visible += CountBits(scratch.Above[block] & ~hidden);
+    visible += CountBits(scratch.Seen[block]);
   }
   return visible;
+}
+
+int CountAll(const LightMask& mask)
+{
+  int count = 0;
+  for (const std::uint64_t word : mask)
+  {
+    count += CountBits(word);
+  }
+  return count;
+}
+
+/// The occluder of all triangles; none where there are several.
+std::optional<int> OnlyOccluderOf(const TriangleMeshView& mesh)
+{
+  for (vtkIdType t = 1; t < mesh.NumberOfTriangles; ++t)
+  {
+    if (mesh.OccluderId(t) != mesh.OccluderId(0))
+    {
+      return {};
+    }
+  }
+  return mesh.NumberOfTriangles > 0 ? std::optional<int>(mesh.OccluderId(0)) : std::nullopt;
+}
+
+LightPatternOptions PatternsOf(const VisibilityOptions& options)
+{
+  LightPatternOptions patterns;
+  patterns.NumberOfSamples = options.NumberOfLightSamples;
+  patterns.Seed = options.Seed;
+  patterns.Same = options.SameSamples;
+  patterns.Outline = options.Outline;
+  return patterns;
 }
 } // anonymous namespace
 
@@ -78,12 +115,18 @@ struct VisibilityProbe::Implementation
 {
   Implementation(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene, const Box& bounds,
     const VisibilityOptions& options)
-    : Patterns(light, options.NumberOfLightSamples, options.Seed)
+    : Patterns(light, PatternsOf(options))
     , Scene(scene)
     , Rules(scene ? scene->RulesFor(FlatFaceOf(light)) : RayRules())
     , AtInfinity(IsAtInfinity(light))
+    , Irradiance(options.Irradiance)
+    , Fluence(options.Fluence)
   {
     LightBoundingSphere(light, this->Center, this->Radius);
+    if (scene)
+    {
+      this->OnlyOccluder = OnlyOccluderOf(scene->Mesh());
+    }
     if (options.Method == VisibilityMethod::Soft)
     {
       this->Surfels = std::make_unique<SurfelVisibility>(cones, this->Patterns, Grown(bounds), options.OnSurfaces);
@@ -130,26 +173,95 @@ struct VisibilityProbe::Implementation
   {
     RayRules rules = this->Rules;
     rules.StartTolerance = this->Scene->SurfaceTolerance(point);
+    const LightView& view = scratch.View;
+    for (std::size_t block = 0; block < wanted.size(); ++block)
+    {
+      const std::size_t first = 64 * block;
+      const std::uint64_t hidden = this->Scene->OccludedFrom(point, view.X.data() + first, view.Y.data() + first,
+        view.Z.data() + first, wanted[block], this->AtInfinity, rules);
+      if (this->OnlyOccluder && hidden != 0)
+      {
+        scratch.Masks.Of(*this->OnlyOccluder)[block] |= hidden;
+        continue;
+      }
+      for (std::uint64_t left = hidden; left != 0; left &= left - 1)
+      {
+        const auto k = first + static_cast<std::size_t>(LowestBit(left));
+        const Vector3 to{ view.X[k], view.Y[k], view.Z[k] };
+        const double distance = Length(to);
+        this->Scene->IntersectAll(
+          point, (1.0 / distance) * to, 0.0, this->AtInfinity ? HUGE_VAL : distance, scratch.Hits, rules);
+        for (const RayHit& hit : scratch.Hits)
+        {
+          scratch.Masks.Of(this->Scene->Mesh().OccluderId(hit.Triangle))[block] |= left & ~(left - 1);
+        }
+      }
+    }
+  }
+
+  /// What hides samples from the point, into the scratch; its view is taken and the samples above the surface are found.
+  void Hide(const Vector3& point, const Vector3* normal, int side, bool shadowed, Scratch& scratch) const
+  {
+    scratch.Above = scratch.View.Open;
+    if (side == 0)
+    {
+      this->DropBelow(*normal, scratch);
+    }
+    scratch.Masks.Reset(this->Patterns.NumberOfBlocks());
+    if (shadowed && this->Surfels)
+    {
+      this->Surfels->Hide(point, scratch.Discs, scratch.View, scratch.Masks);
+    }
+    else if (shadowed)
+    {
+      this->Trace(point, scratch.Above, scratch);
+    }
+  }
+
+  /// All that the light brings, where nothing can hide it but the point's own surface.
+  void AddWhole(const Vector3& point, const Vector3* normal, PointVisibility& result) const
+  {
+    if (this->Irradiance && normal)
+    {
+      result.Irradiance.Factor = WholeIrradiance(this->Patterns.Lamp(), point, *normal);
+    }
+    if (this->Fluence)
+    {
+      result.Fluence.Factor = WholeFluence(this->Patterns.Lamp(), point);
+    }
+  }
+
+  /// What the samples that are seen bring. @param cut the surface's own plane may cut the light.
+  void AddSeen(const Vector3& point, const Vector3* normal, bool shadowed, bool cut, const Scratch& scratch,
+    PointVisibility& result) const
+  {
+    SeenWeights irradiance;
+    SeenWeights fluence;
     for (int k = 0; k < this->Patterns.Count(); ++k)
     {
       const std::uint64_t bit = std::uint64_t(1) << (k % 64);
-      if (!(wanted[k / 64] & bit))
+      if (!(scratch.View.Open[k / 64] & bit))
       {
         continue;
       }
-      const Vector3 to{ scratch.View.X[k], scratch.View.Y[k], scratch.View.Z[k] };
-      const double distance = Length(to);
-      const Vector3 direction = (1.0 / distance) * to;
-      const double end = this->AtInfinity ? HUGE_VAL : distance;
-      if (!this->Scene->Occluded(point, direction, 0.0, end, rules))
+      const bool seen = (scratch.Seen[k / 64] & bit) != 0;
+      const double weight = this->Patterns.WeightOf(scratch.View, static_cast<std::size_t>(k));
+      fluence.Add(weight, seen);
+      if (normal)
       {
-        continue;
+        const Vector3 to{ scratch.View.X[k], scratch.View.Y[k], scratch.View.Z[k] };
+        irradiance.Add(weight * std::max(Dot(to, *normal) / Length(to), 0.0), seen);
       }
-      this->Scene->IntersectAll(point, direction, 0.0, end, scratch.Hits, rules);
-      for (const RayHit& hit : scratch.Hits)
-      {
-        scratch.Masks.Of(this->Scene->Mesh().OccluderId(hit.Triangle))[k / 64] |= bit;
-      }
+    }
+    PointVisibility whole;
+    this->AddWhole(point, normal, whole);
+    // The plane of the surface cuts the closed form of the irradiance, not that of the fluence.
+    result.Irradiance = shadowed ? irradiance.Of(whole.Irradiance.Factor) : whole.Irradiance;
+    result.Fluence = shadowed || cut ? fluence.Of(whole.Fluence.Factor) : whole.Fluence;
+    if (this->Patterns.IsExact())
+    {
+      result.Irradiance.Error = 0.0;
+      result.Fluence.Error = 0.0;
     }
   }
 
@@ -157,6 +269,9 @@ struct VisibilityProbe::Implementation
   const OccluderScene* Scene;
   RayRules Rules; ///< for what is flush with the light
   bool AtInfinity;
+  bool Irradiance;
+  bool Fluence;
+  std::optional<int> OnlyOccluder; ///< of the mesh, where it has one alone: who hides a sample needs no asking
   Vector3 Center;
   double Radius = 0.0;
   std::unique_ptr<SurfelVisibility> Surfels; ///< Soft
@@ -182,15 +297,13 @@ PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal)
   const bool shadowed = impl.MayBeShadowed(point, scratch);
   if (side > 0 && !shadowed && impl.Patterns.IsWholeFrom(point))
   {
+    impl.AddWhole(point, normal, result);
     return result;
   }
 
   impl.Patterns.LookFrom(point, scratch.View);
   SeenSamples seen;
-  for (const std::uint64_t word : scratch.View.Open)
-  {
-    seen.Emitting += CountBits(word);
-  }
+  seen.Emitting = CountAll(scratch.View.Open);
   if (seen.Emitting == 0 || side < 0)
   {
     result.Fraction = 0.0;
@@ -198,25 +311,15 @@ PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal)
     return result;
   }
 
-  scratch.Above = scratch.View.Open;
-  if (side == 0)
-  {
-    impl.DropBelow(*normal, scratch);
-  }
-  scratch.Masks.Reset(impl.Patterns.NumberOfBlocks());
-  if (shadowed && impl.Surfels)
-  {
-    impl.Surfels->Hide(point, scratch.Discs, scratch.View, scratch.Masks);
-  }
-  else if (shadowed)
-  {
-    impl.Trace(point, scratch.Above, scratch);
-  }
-  seen.Visible = CountVisible(scratch);
-
+  impl.Hide(point, normal, side, shadowed, scratch);
+  seen.Visible = FindSeen(scratch);
   result.OccluderId = MainOccluder(scratch);
   result.Fraction = seen.Fraction();
   result.Class = seen.Class();
+  if (impl.Irradiance || impl.Fluence)
+  {
+    impl.AddSeen(point, normal, shadowed, side == 0, scratch, result);
+  }
   if ((shadowed || side == 0) && !impl.Patterns.IsExact())
   {
     const double p = (seen.Visible + 0.5) / (seen.Emitting + 1.0);
@@ -225,20 +328,102 @@ PointVisibility VisibilityProbe::At(const Vector3& point, const Vector3* normal)
   return result;
 }
 
+int VisibilityProbe::NumberOfSamples() const
+{
+  return this->Impl->Patterns.Count();
+}
+
+bool VisibilityProbe::AsksForIrradiance() const
+{
+  return this->Impl->Irradiance;
+}
+
+bool VisibilityProbe::AsksForFluence() const
+{
+  return this->Impl->Fluence;
+}
+
+int VisibilityProbe::ShadowsAt(
+  const Vector3& point, const Vector3* normal, std::vector<HiddenSamples>& hidden, int& together) const
+{
+  thread_local Scratch scratch;
+  const Implementation& impl = *this->Impl;
+  hidden.clear();
+  together = 0;
+  const int side = normal ? impl.SideOf(point, *normal) : 1;
+  if (side < 0)
+  {
+    return 0;
+  }
+  const bool shadowed = impl.MayBeShadowed(point, scratch);
+  impl.Patterns.LookFrom(point, scratch.View);
+  impl.Hide(point, normal, side, shadowed, scratch);
+  const int shining = CountAll(scratch.Above);
+  together = shining - FindSeen(scratch);
+  const std::size_t blocks = scratch.Masks.NumberOfBlocks;
+  for (std::size_t i = 0; i < scratch.Masks.OccluderIds.size(); ++i)
+  {
+    int count = 0;
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+      count += CountBits(scratch.Masks.Words[i * blocks + block] & scratch.Above[block]);
+    }
+    if (count > 0)
+    {
+      hidden.push_back({ scratch.Masks.OccluderIds[i], count });
+    }
+  }
+  std::sort(hidden.begin(), hidden.end(),
+    [](const HiddenSamples& a, const HiddenSamples& b) { return a.OccluderId < b.OccluderId; });
+  return shining;
+}
+
 bool ProbeVisibility(const VisibilityProbe& probe, const double* points, const double* normals, vtkIdType count,
   const Monitor& monitor, VisibilityResult& result)
 {
   return ProbeVisibility(std::vector<const VisibilityProbe*>{ &probe }, points, normals, count, monitor, result);
 }
 
-bool ProbeVisibility(const std::vector<const VisibilityProbe*>& probes, const double* points, const double* normals,
-  vtkIdType count, const Monitor& monitor, VisibilityResult& result)
+namespace
 {
-  const auto size = static_cast<std::size_t>(count) * probes.size();
+void Resize(const std::vector<const VisibilityProbe*>& probes, std::size_t size, VisibilityResult& result)
+{
+  const bool irradiance = !probes.empty() && probes.front()->AsksForIrradiance();
+  const bool fluence = !probes.empty() && probes.front()->AsksForFluence();
   result.Visibility.resize(size);
   result.ShadowClasses.resize(size);
   result.OccluderIds.resize(size);
   result.Errors.resize(size);
+  result.Irradiance.resize(irradiance ? size : 0);
+  result.IrradianceErrors.resize(irradiance ? size : 0);
+  result.Fluence.resize(fluence ? size : 0);
+  result.FluenceErrors.resize(fluence ? size : 0);
+}
+
+void Put(const PointVisibility& visibility, bool hasNormal, std::size_t at, VisibilityResult& result)
+{
+  constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+  result.Visibility[at] = static_cast<float>(visibility.Fraction);
+  result.ShadowClasses[at] = static_cast<unsigned char>(visibility.Class);
+  result.OccluderIds[at] = visibility.OccluderId;
+  result.Errors[at] = static_cast<float>(visibility.Error);
+  if (!result.Irradiance.empty())
+  {
+    result.Irradiance[at] = hasNormal ? static_cast<float>(visibility.Irradiance.Factor) : unknown;
+    result.IrradianceErrors[at] = hasNormal ? static_cast<float>(visibility.Irradiance.Error) : unknown;
+  }
+  if (!result.Fluence.empty())
+  {
+    result.Fluence[at] = static_cast<float>(visibility.Fluence.Factor);
+    result.FluenceErrors[at] = static_cast<float>(visibility.Fluence.Error);
+  }
+}
+} // anonymous namespace
+
+bool ProbeVisibility(const std::vector<const VisibilityProbe*>& probes, const double* points, const double* normals,
+  vtkIdType count, const Monitor& monitor, VisibilityResult& result)
+{
+  Resize(probes, static_cast<std::size_t>(count) * probes.size(), result);
   return ParallelFor(count, monitor,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -254,11 +439,7 @@ bool ProbeVisibility(const std::vector<const VisibilityProbe*>& probes, const do
         auto at = static_cast<std::size_t>(i) * probes.size();
         for (const VisibilityProbe* probe : probes)
         {
-          const PointVisibility visibility = probe->At(point, hasNormal ? &normal : nullptr);
-          result.Visibility[at] = static_cast<float>(visibility.Fraction);
-          result.ShadowClasses[at] = static_cast<unsigned char>(visibility.Class);
-          result.OccluderIds[at] = visibility.OccluderId;
-          result.Errors[at] = static_cast<float>(visibility.Error);
+          Put(probe->At(point, hasNormal ? &normal : nullptr), hasNormal, at, result);
           ++at;
         }
       }

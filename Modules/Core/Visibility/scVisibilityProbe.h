@@ -7,6 +7,7 @@
 #define scVisibilityProbe_h
 
 #include "ShadowConesCoreModule.h"
+#include "scArrivingLight.h"
 #include "scCone.h"
 #include "scLight.h"
 #include "scOccluderScene.h"
@@ -32,6 +33,10 @@ struct VisibilityOptions
   int NumberOfLightSamples = 64; ///< a point, at least 1
   std::uint64_t Seed = 1;
   bool OnSurfaces = false; ///< points lie on occluders: a curved surface's own discs do not hide them (Soft)
+  bool Irradiance = false; ///< ask for it too, at points with a normal
+  bool Fluence = false;    ///< ask for it too
+  bool SameSamples = false; ///< every point takes the same samples: for edges of shadows, where neighbours are compared
+  bool Outline = false; ///< every second sample lies on the light's outline: for where shadow begins and ends, not for fractions
 };
 
 struct PointVisibility
@@ -40,6 +45,15 @@ struct PointVisibility
   ShadowClass Class = ShadowClass::Lit;
   int OccluderId = -1; ///< hides most samples, the smallest of several; -1: none hides any
   double Error = 0.0;  ///< standard error, see VisibilityProbe
+  ArrivingLight Irradiance; ///< where it is asked for; on the side of the normal
+  ArrivingLight Fluence;    ///< where it is asked for; with a normal: of the light above the surface
+};
+
+/// How many samples of a light an occluder hides from a point.
+struct HiddenSamples
+{
+  int OccluderId;
+  int Count;
 };
 
 /**
@@ -48,7 +62,7 @@ struct PointVisibility
  *
  * With k of n samples visible the fraction is k / n and its error sqrt(p (1 - p) / n), p = (k + 1/2) / (n + 1): the
  * standard error of independent samples, which overrates that of the stratified ones, and is not 0 where all samples
- * agree. It is 0 where nothing is sampled: outside all cones, on the dark side of the light, and for point lights. It
+ * agree. It is 0 where nothing is sampled: outside all cones, on the dark side of the light, and for lights without extent. It
  * knows nothing of shadow that the cones miss (Exact) nor of what the discs get wrong (Soft).
  *
  * Exact asks the rays inside cones and up to one base radius before their base, where surface points may lie. A
@@ -72,6 +86,16 @@ public:
 
   /// @param normal of the surface at the point, unit, or nullptr: light from below the surface is hidden by it.
   PointVisibility At(const Vector3& point, const Vector3* normal = nullptr) const;
+  /**
+   * Which occluders hide samples of the light that shines on the point, in ascending order of their ids; @p together are the
+   * samples that any of them hides. @p hidden is overwritten.
+   * @return the number of samples that shine on the point, above its surface: 0 on the dark side of the light.
+   */
+  int ShadowsAt(const Vector3& point, const Vector3* normal, std::vector<HiddenSamples>& hidden, int& together) const;
+  /// Samples of the light, all of which are asked for; 1: it is a point, or a Sun without a size.
+  int NumberOfSamples() const;
+  bool AsksForIrradiance() const;
+  bool AsksForFluence() const;
 
 private:
   struct Implementation;
@@ -85,6 +109,10 @@ struct VisibilityResult
   std::vector<unsigned char> ShadowClasses;
   std::vector<int> OccluderIds;
   std::vector<float> Errors;
+  std::vector<float> Irradiance; ///< of light with the spectrum 1 (see ArrivingLight); NaN without a normal; empty: not asked for
+  std::vector<float> IrradianceErrors;
+  std::vector<float> Fluence; ///< the same; empty: not asked for
+  std::vector<float> FluenceErrors;
 };
 
 /**
