@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkConeSetProbe.h"
 
+#include "scArrivingLightData.h"
 #include "scCone.h"
 #include "scConeData.h"
 #include "scFilterRun.h"
@@ -15,6 +16,7 @@
 #include "scSceneLights.h"
 #include "scSentence.h"
 #include "scShadowClass.h"
+#include "scSpectrumSamples.h"
 #include "scVisibilityData.h"
 #include "scVisibilityProbe.h"
 #include "scWarnings.h"
@@ -29,6 +31,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -52,6 +55,7 @@ struct vtkConeSetProbe::Inputs
   std::shared_ptr<const PreparedMesh> Mesh; ///< Exact: its casters; else an empty one
   std::vector<std::string> OccluderNames;
   std::vector<std::uint64_t> Fingerprints; ///< of the casters
+  ArrivingLightRequest Arriving;
   Warnings Said;
 };
 
@@ -69,6 +73,32 @@ scDefinePreparedScene(vtkConeSetProbe);
 scDefineInputPort(vtkConeSetProbe, ConeSet, coneSetPort);
 scDefineInputPort(vtkConeSetProbe, Mesh, meshPort);
 scDefineLightPort(vtkConeSetProbe, lightPort);
+
+void vtkConeSetProbe::SetLuminousEfficacySpectrum(int index, double efficacy)
+{
+  if (SetSample(this->LuminousEfficacySpectrum, index, efficacy))
+  {
+    this->Modified();
+  }
+}
+
+void vtkConeSetProbe::SetLuminousEfficacySpectrum(vtkDataArray* efficacies)
+{
+  if (SetSamples(this->LuminousEfficacySpectrum, efficacies))
+  {
+    this->Modified();
+  }
+}
+
+void vtkConeSetProbe::ClearLuminousEfficacySpectrum()
+{
+  this->SetLuminousEfficacySpectrum(nullptr);
+}
+
+double vtkConeSetProbe::GetLuminousEfficacySpectrum(int index)
+{
+  return GetSample(this->LuminousEfficacySpectrum, index, -1.0);
+}
 
 int vtkConeSetProbe::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -135,6 +165,10 @@ bool vtkConeSetProbe::ReadInputs(
       " cells and no polygon: shadows need surfaces. Run vtkDataSetSurfaceFilter first, or use Soft.");
     return false;
   }
+  if (!this->ReadArrivingLight(in, error))
+  {
+    return false;
+  }
   in.OccluderNames = exact ? in.Mesh->Mesh.OccluderNames : ReadOccluderNames(coneData);
   in.Fingerprints = ReadFingerprints(castersFingerprint, coneData);
   if (exact)
@@ -160,6 +194,36 @@ bool vtkConeSetProbe::ReadInputs(
   return true;
 }
 
+bool vtkConeSetProbe::ReadArrivingLight(Inputs& in, std::string& error) const
+{
+  in.Arriving.Irradiance = this->ComputeIrradiance;
+  in.Arriving.FluenceRate = this->ComputeFluenceRate;
+  in.Arriving.Illuminance = this->ComputeIlluminance;
+  const bool needsNormals = this->ComputeIrradiance || this->ComputeIlluminance;
+  if (needsNormals && in.Points.Normals.empty() && in.Points.NumberOfItems > 0)
+  {
+    error = this->UseNormals
+      ? Sentence("Irradiance and illuminance need the active normals of the ",
+          this->Association == Cells ? "cells" : "points",
+          " of the data set on input port 0, and there are none: run vtkPolyDataNormals, or call SetActiveNormals().")
+      : "Irradiance and illuminance need normals: turn UseNormals on.";
+    return false;
+  }
+  in.Arriving.Efficacy = LuminousEfficacyAt(in.Lights.Wavelengths);
+  for (const auto& [index, efficacy] : this->LuminousEfficacySpectrum)
+  {
+    const auto count = static_cast<int>(in.Arriving.Efficacy.size());
+    if (index < 0 || index >= count || !(efficacy >= 0.0) || std::isinf(efficacy))
+    {
+      error = Sentence("LuminousEfficacySpectrum is ", efficacy, " at index ", index,
+        ": the index must be that of one of the ", count, " wavelengths, the value 0 or above and finite.");
+      return false;
+    }
+    in.Arriving.Efficacy[static_cast<std::size_t>(index)] = efficacy;
+  }
+  return true;
+}
+
 bool vtkConeSetProbe::Probe(const Inputs& in, VisibilityResult& result)
 {
   VisibilityOptions options;
@@ -167,6 +231,8 @@ bool vtkConeSetProbe::Probe(const Inputs& in, VisibilityResult& result)
   options.NumberOfLightSamples = this->NumberOfLightSamples;
   options.Seed = static_cast<std::uint64_t>(this->Seed);
   options.OnSurfaces = in.Points.OnSurfaces;
+  options.Irradiance = in.Arriving.Irradiance || in.Arriving.Illuminance;
+  options.Fluence = in.Arriving.FluenceRate;
   const std::vector<Light>& lights = in.Lights.Lights;
   const std::shared_ptr<const PreparedOccluders> occluders = PrepareOccluders(*this->Prepared, in.Mesh);
   const std::vector<std::vector<Cone>> conesOf = ConesOfLights(in.Cones, lights.size());
@@ -216,8 +282,9 @@ int vtkConeSetProbe::RequestData(
   WriteLightFingerprints(in.Lights.Lights, output);
   WriteOccluderNames(in.OccluderNames, output->GetFieldData());
   WriteFingerprints(castersFingerprint, in.Fingerprints, output->GetFieldData());
-  WriteVisibility(result, static_cast<int>(lights), in.Points.Items, in.Points.NumberOfItems,
-    atCells ? static_cast<vtkDataSetAttributes*>(output->GetCellData()) : output->GetPointData());
+  vtkDataSetAttributes* data = atCells ? static_cast<vtkDataSetAttributes*>(output->GetCellData()) : output->GetPointData();
+  WriteVisibility(result, static_cast<int>(lights), in.Points.Items, in.Points.NumberOfItems, data);
+  WriteArrivingLight(result, in.Lights.Lights, in.Arriving, in.Points.Items, in.Points.NumberOfItems, data);
   const auto numberOfCones = static_cast<vtkIdType>(in.Cones.size());
   in.Said.Add(in.Lights.Warnings);
   in.Said.Add(EmptyConeSet(numberOfCones, static_cast<vtkIdType>(in.Mesh->Mesh.Triangles.size() / 3)));
@@ -244,6 +311,10 @@ void vtkConeSetProbe::PrintSelf(ostream& os, vtkIndent indent)
                                          : "invalid")
      << "\n";
   os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
+  os << indent << "ComputeIrradiance: " << (this->ComputeIrradiance ? "on" : "off") << "\n";
+  os << indent << "ComputeFluenceRate: " << (this->ComputeFluenceRate ? "on" : "off") << "\n";
+  os << indent << "ComputeIlluminance: " << (this->ComputeIlluminance ? "on" : "off") << "\n";
+  os << indent << "LuminousEfficacySpectrum: " << TextOf(this->LuminousEfficacySpectrum) << "\n";
   os << indent << "UseNormals: " << (this->UseNormals ? "on" : "off") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";

@@ -37,6 +37,14 @@
  * order of connections and blocks, and a light is asked for inside its own cones ("LightId"). Field data
  * "LightFingerprint" (unsigned 64-bit, one value a light).
  *
+ * On request, light that arrives, from all lights together: "Irradiance" (float, one component a wavelength, W m^-2: the
+ * integral of radiance x visibility x cosine over the side of the normal), "FluenceRate" (float, one a wavelength, W m^-2: the
+ * integral of radiance x visibility over all directions, or over those above the surface where UseNormals finds one) and
+ * "Illuminance" (float, lux). A wavelength is a band: W m^-2 in it, not per nm. Coordinates count as metres where they are
+ * divided by (point lights). Each has a standard error, "IrradianceError", "FluenceRateError", "IlluminanceError". The whole
+ * of a light is taken in closed form, the seen share of it from the samples, weighted by their solid angle and cosine: where
+ * nothing hides the light the values are exact. Hidden points, and those whose normal has no length, get NaN.
+ *
  * With k of n samples visible VisibilityError is sqrt(p (1 - p) / n), p = (k + 1/2) / (n + 1): the standard error of
  * independent samples, a bound for these stratified ones. It is 0 where nothing was sampled (outside all cones, on the
  * dark side of the light, point lights). It says nothing of shadow that lies outside the cones (Exact; there is none where
@@ -50,9 +58,11 @@
 #include "ShadowConesFiltersModule.h"
 #include "vtkDataSetAlgorithm.h"
 
+#include <map> // for the efficacies
 #include <memory>
 #include <string>
 
+class vtkDataArray;
 class vtkFieldData;
 
 namespace shadowcones
@@ -131,6 +141,41 @@ public:
   ///@}
 
   ///@{
+  /// Add "Irradiance" and "IrradianceError". Needs active normals, of points or of cells as Association says. Default off.
+  vtkSetMacro(ComputeIrradiance, bool);
+  vtkGetMacro(ComputeIrradiance, bool); ///< Whether "Irradiance" is added.
+  /// Add "Irradiance" and "IrradianceError".
+  vtkBooleanMacro(ComputeIrradiance, bool); ///< Leave "Irradiance" out.
+  ///@}
+
+  ///@{
+  /// Add "FluenceRate" and "FluenceRateError". Default off.
+  vtkSetMacro(ComputeFluenceRate, bool);
+  vtkGetMacro(ComputeFluenceRate, bool); ///< Whether "FluenceRate" is added.
+  /// Add "FluenceRate" and "FluenceRateError".
+  vtkBooleanMacro(ComputeFluenceRate, bool); ///< Leave "FluenceRate" out.
+  ///@}
+
+  ///@{
+  /// Add "Illuminance" (lux) and "IlluminanceError": the irradiance weighted as LuminousEfficacySpectrum says. Needs normals
+  /// as ComputeIrradiance does. Default off.
+  vtkSetMacro(ComputeIlluminance, bool);
+  vtkGetMacro(ComputeIlluminance, bool); ///< Whether "Illuminance" is added.
+  /// Add "Illuminance" and "IlluminanceError".
+  vtkBooleanMacro(ComputeIlluminance, bool); ///< Leave "Illuminance" out.
+  ///@}
+
+  ///@{
+  /// What a watt in a wavelength is worth to the eye, lm/W, index from 0, 0 and above. Wavelengths that are not set have 683
+  /// times the CIE's photopic V at the middle of their band ("LightWavelengths" of the light; without it equal bands from 400
+  /// to 700 nm). A light of one wavelength should have it set: 683 for radiance counted at 555 nm.
+  void SetLuminousEfficacySpectrum(int index, double efficacy);
+  void SetLuminousEfficacySpectrum(vtkDataArray* efficacies); ///< Of the first wavelengths, in place of all that were set.
+  void ClearLuminousEfficacySpectrum();                       ///< Every wavelength has its own V again.
+  double GetLuminousEfficacySpectrum(int index); ///< Efficacy of a wavelength, lm/W; -1: not set, as the CIE's V has it.
+  ///@}
+
+  ///@{
   /// Light from below a surface is hidden by it, where the data set has active normals. Turn off for normals that point
   /// inward. Default on.
   vtkSetMacro(UseNormals, bool);
@@ -170,7 +215,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  /// True where parameters and inputs are there; else the error is reported.
   struct Inputs;
 
   bool ReadInputs(vtkInformationVector** inputVector, vtkFieldData* coneData, Inputs& in, std::string& error);
@@ -178,6 +222,8 @@ private:
   bool Probe(const Inputs& in, shadowcones::VisibilityResult& result);
   /// What is wrong with the parameters, or with what is connected, as a sentence; empty where nothing is.
   std::string CheckRequest(vtkDataObject* cones, bool hasLight, vtkDataObject* mesh) const;
+  /// Which light is to arrive, and that there are normals where it needs them. @return false, with a sentence in @p error.
+  bool ReadArrivingLight(Inputs& in, std::string& error) const;
 
   vtkConeSetProbe(const vtkConeSetProbe&) = delete;
   void operator=(const vtkConeSetProbe&) = delete;
@@ -185,6 +231,10 @@ private:
   int Method = Exact;
   int Association = Points;
   int NumberOfLightSamples = 64;
+  bool ComputeIrradiance = false;
+  bool ComputeFluenceRate = false;
+  bool ComputeIlluminance = false;
+  std::map<int, double> LuminousEfficacySpectrum; // of wavelengths that were set
   bool UseNormals = true;
   int Seed = 1;
 

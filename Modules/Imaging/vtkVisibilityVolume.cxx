@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVisibilityVolume.h"
 
+#include "scArrivingLightData.h"
 #include "scCone.h"
 #include "scConeData.h"
 #include "scFieldArrays.h"
@@ -239,6 +240,7 @@ bool vtkVisibilityVolume::FillGrids(const Scene& scene, const int extent[6], std
   options.Seed = static_cast<std::uint64_t>(this->Seed);
   options.BrickParts = this->BrickParts;
   options.RefinementThreshold = this->RefinementThreshold;
+  options.Fluence = this->ComputeFluenceRate;
   std::copy(extent, extent + 6, options.Extent.begin());
   const std::vector<Light>& lights = scene.Lights.Lights;
   const std::shared_ptr<const PreparedOccluders> occluders = PrepareOccluders(*this->Prepared, scene.Mesh);
@@ -306,6 +308,7 @@ int vtkVisibilityVolume::RequestData(
     rays += grid.NumberOfOcclusionRays;
   }
   WriteVisibilityGrids(grids, extent, output);
+  WriteFluenceRate(grids, scene.Lights.Lights, extent, output);
   vtkFieldData* field = output->GetFieldData();
   WriteOccluderNames(scene.OccluderNames, field);
   WriteFingerprints(castersFingerprint, scene.CastersFingerprints, field);
@@ -362,6 +365,7 @@ void vtkVisibilityVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
   os << indent << "BrickParts: " << this->BrickParts << "\n";
   os << indent << "RefinementThreshold: " << this->RefinementThreshold << "\n";
+  os << indent << "ComputeFluenceRate: " << (this->ComputeFluenceRate ? "on" : "off") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";
   os << indent << "PreparedMemory: " << this->GetPreparedMemory() << "\n";
