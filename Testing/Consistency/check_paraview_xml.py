@@ -32,6 +32,8 @@ def property_faults(item, instance):
         if item.get("number_of_elements") != "5" or not 0 <= int(given[1]) < instance.GetNumberOfInputPorts():
             yield "an array is chosen by 5 values, the second an input port"
         return
+    if item.tag == "StringVectorProperty":
+        return  # a text has no default that could be compared
     if item.get("repeat_command") == "1":
         if item.get("default_values"):
             yield "a list has no default"
@@ -121,7 +123,8 @@ def faults(root):
             continue
         group, proxy = proxies[name][0]
         kind = getattr(shadowcones, name)
-        if group != ("filters" if kind().GetNumberOfInputPorts() else "sources"):
+        place = "filters" if kind().GetNumberOfInputPorts() else "sources"
+        if group != (place if kind().GetNumberOfOutputPorts() else "writers"):
             yield f"{name}: stands in the group {group}"
         for fault in proxy_faults(proxy, kind, vtkAlgorithm.INPUT_IS_OPTIONAL()):
             yield f"{name}: {fault}"

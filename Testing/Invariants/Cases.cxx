@@ -10,7 +10,9 @@
 #include "vtkConeSetGeometry.h"
 #include "vtkConeSetProbe.h"
 #include "vtkLabelOccluders.h"
+#include "vtkPenumbraWidth.h"
 #include "vtkScatteringImageFilter.h"
+#include "vtkShadowFootprints.h"
 #include "vtkShadowVectorFilter.h"
 #include "vtkShadowVolume.h"
 #include "vtkToneMapRadiance.h"
@@ -21,6 +23,7 @@
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
 
@@ -267,6 +270,42 @@ Setting ConeSetProbe(Size size, int method)
   return { filter, { { 0, PointsAt(points) }, { 1, Cones() }, { 2, Lamp() }, { 3, Room() } } };
 }
 
+/// The floor of the room, with normals that point up.
+vtkSmartPointer<vtkPolyData> Floor(int points)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-2.5, 0.01, -2.5);
+  plane->SetPoint1(-2.5, 0.01, 2.5);
+  plane->SetPoint2(2.5, 0.01, -2.5);
+  plane->SetResolution(points - 1, points - 1);
+  return Take(plane);
+}
+
+Setting ArrivingLight(Size size)
+{
+  auto filter = vtkSmartPointer<vtkConeSetProbe>::New();
+  filter->ComputeIrradianceOn();
+  filter->ComputeFluenceRateOn();
+  filter->ComputeIlluminanceOn();
+  return { filter, { { 0, Floor(size == Size::Small ? 40 : 500) }, { 1, Cones() }, { 2, Lamp() }, { 3, Room() } } };
+}
+
+Setting PenumbraWidth(Size size)
+{
+  auto filter = vtkSmartPointer<vtkPenumbraWidth>::New();
+  filter->SetNumberOfLightSamples(size == Size::Small ? 32 : 256);
+  return { filter, { { 0, Floor(size == Size::Small ? 24 : 200) }, { 1, Lamp() }, { 2, Room() } } };
+}
+
+Setting Footprints(Size size)
+{
+  auto filter = vtkSmartPointer<vtkShadowFootprints>::New();
+  filter->SetNumberOfLightSamples(64);
+  filter->SetSpacing(size == Size::Small ? 0.2 : 0.015);
+  filter->SetRefinements(1);
+  return { filter, { { 0, Floor(2) }, { 1, Lamp() }, { 2, Room() } } };
+}
+
 Setting VisibilityVolume(Size size, int method)
 {
   auto filter = vtkSmartPointer<vtkVisibilityVolume>::New();
@@ -274,6 +313,7 @@ Setting VisibilityVolume(Size size, int method)
   const int edge = size == Size::Small ? 18 : 150;
   filter->SetDimensions(edge, edge + 3, edge + 1);
   filter->SetBrickParts(4);
+  filter->SetComputeFluenceRate(method == vtkVisibilityVolume::Exact);
   filter->SetNumberOfLightSamples(size == Size::Small ? 16 : 64);
   filter->SetBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
   return { filter, { { 0, Cones() }, { 1, Lamp() }, { 2, Room() } } };
@@ -385,6 +425,9 @@ const std::vector<Case>& AllCases()
     { "ShadowVolumeBaseDiscs", [](Size size) { return ShadowVolume(size, vtkShadowVolume::BaseDiscs); } },
     { "ConeSetProbeExact", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::Exact); }, true, false },
     { "ConeSetProbeSoft", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::Soft); }, true, false },
+    { "ConeSetProbeArrivingLight", ArrivingLight, true, false },
+    { "PenumbraWidth", PenumbraWidth, true, false },
+    { "ShadowFootprints", Footprints, true, false },
     { "VisibilityVolumeExact", [](Size size) { return VisibilityVolume(size, vtkVisibilityVolume::Exact); } },
     { "VisibilityVolumeSoft", [](Size size) { return VisibilityVolume(size, vtkVisibilityVolume::Soft); } },
     { "ScatteringBruteForce", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::BruteForce); } },
