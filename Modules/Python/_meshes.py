@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from . import _classes as sc
+from . import _run
 
 KINDS = ("a path, a VTK data set, (points, faces) arrays, an object with vertices and faces, "
          "or a list or dictionary of these")
@@ -116,8 +117,7 @@ def data_of(mesh):
     if is_path(mesh):
         return read_files([mesh]).GetMesh(0)
     if isinstance(mesh, vtkAlgorithm):
-        mesh.Update()
-        mesh = mesh.GetOutputDataObject(0)
+        mesh = _run.update(mesh).GetOutputDataObject(0)
     if isinstance(mesh, (vtkPolyData, vtkDataObjectTree)):
         return mesh
     if isinstance(mesh, vtkDataSet):

@@ -37,7 +37,7 @@ def sentence(text):
 
 def warn(message):
     """warnings.warn, told of the caller's line and not of one of ours."""
-    depth, frame = 1, sys._getframe(1)
+    depth, frame = 2, sys._getframe(1)
     while frame is not None and os.path.dirname(os.path.abspath(frame.f_code.co_filename)) == PACKAGE:
         depth, frame = depth + 1, frame.f_back
     warnings.warn(message, RuntimeWarning, stacklevel=depth)
@@ -143,7 +143,7 @@ class Run:
     def update(self):
         main = threading.current_thread() is threading.main_thread()
         before = signal.getsignal(signal.SIGINT) if main else None
-        ours = main and before is not None
+        ours = main and before not in (None, signal.SIG_IGN)
         tags = self.observe()
         if ours:
             signal.signal(signal.SIGINT, self.interrupt)

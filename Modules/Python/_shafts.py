@@ -104,33 +104,16 @@ def up_axis(up):
     return int(np.argmax(vector)) + 1
 
 
-def defaults_of(occluders, lights, up):
-    """The vtkSceneDefaults of labelled occluders and lights that are up to date."""
+def defaults_of(occluders, lights, axis):
+    """The vtkSceneDefaults of labelled occluders that are up to date, and lights."""
     defaults = sc.vtkSceneDefaults()
-    defaults.SetUp(up_axis(up))
+    defaults.SetUp(axis)
     defaults.SetMesh(occluders.GetOutput())
     for light in lights:
-        light.Update()
-        defaults.AddLight(light.GetOutputDataObject(0))
+        defaults.AddLight(_run.update(light).GetOutputDataObject(0))
     if not defaults.Find():
         raise ValueError(defaults.GetError())
     return defaults
-
-
-def cone_set_of(occluders, lights, vectors=5800, seed=1):
-    """The filter whose output is a proved cone set of labelled occluders."""
-    traced = sc.vtkShadowVectorFilter()
-    traced.SetInputConnection(occluders.GetOutputPort())
-    traced.SetTargetNumberOfVectors(vectors)
-    traced.SetSeed(seed)
-    fitted = sc.vtkConeSetFilter()
-    fitted.SetInputConnection(traced.GetOutputPort(0))
-    fitted.SetPhotonPathConnection(traced.GetOutputPort(1))
-    fitted.SetMeshConnection(occluders.GetOutputPort())
-    for light in lights:
-        traced.AddLightConnection(light.GetOutputPort())
-        fitted.AddLightConnection(light.GetOutputPort())
-    return fitted
 
 
 def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, medium=None, sigma_s=None, sigma_a=0.0,
@@ -148,7 +131,7 @@ def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, 
         medium: the box of the medium, (x from, x to, y from, y to, z from, z to), world units. Default: around the mesh.
         sigma_s: scattering coefficient, 1 / world unit. Default: 0.7 over the medium's largest size.
         sigma_a: absorption coefficient, 1 / world unit.
-        up: "x", "y" or "z", for defaults. Default: see vtkSceneDefaults.
+        up: "x", "y" or "z", for defaults and for a sun in words. Default: see vtkSceneDefaults.
         exposure: what 1 / (W m^-2 sr^-1) shows as white. Default: found from the image.
         seed: of the random numbers; the same seed gives the same bytes.
         progress: True for a bar, or something to call with a fraction from 0 to 1.
@@ -174,9 +157,10 @@ def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, 
     if not error > 0.0:
         raise ValueError(f"error is {error}: it must be above 0")
     occluders = _meshes.occluders_of(mesh)
-    lights = [] if light is None else _lights.lights_of(light)
+    axis = up_axis(up)
+    lights = [] if light is None else _lights.lights_of(light, np.eye(3)[axis - 1] if axis else None)
     _run.update(occluders)
-    defaults = defaults_of(occluders, lights, up)
+    defaults = defaults_of(occluders, lights, axis)
     if not lights:
         lamp = sc.vtkAreaLightSource()
         defaults.PlaceLight(lamp)
@@ -190,10 +174,9 @@ def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, 
         medium = [0.0] * 6
         defaults.GetMediumBounds(medium)
 
-    bounding = cone_set_of(occluders, lights, seed=seed)
+    # No cones: for one image making them takes as long as they save.
     image = sc.vtkScatteringImageFilter()
     image.SetInputConnection(occluders.GetOutputPort())
-    image.SetConeSetConnection(bounding.GetOutputPort())
     _lights.connect(image, lights)
     image.SetCamera(camera)
     image.SetResolution(width, height)

@@ -3,7 +3,23 @@
 
 from . import _classes as sc
 from . import _lights, _meshes, _run, _save
-from ._shafts import cone_set_of
+
+
+def cone_set_of(mesh, light, vectors, seed):
+    """The filter whose output is a proved cone set of anything that is a mesh and a light."""
+    occluders = _meshes.occluders_of(mesh)
+    traced = sc.vtkShadowVectorFilter()
+    traced.SetInputConnection(occluders.GetOutputPort())
+    traced.SetTargetNumberOfVectors(vectors)
+    traced.SetSeed(seed)
+    fitted = sc.vtkConeSetFilter()
+    fitted.SetInputConnection(traced.GetOutputPort(0))
+    fitted.SetPhotonPathConnection(traced.GetOutputPort(1))
+    fitted.SetMeshConnection(occluders.GetOutputPort())
+    for one in _lights.lights_of(light):
+        traced.AddLightConnection(one.GetOutputPort())
+        fitted.AddLightConnection(one.GetOutputPort())
+    return fitted
 
 
 def cones(mesh, light, *, vectors=5800, seed=1, progress=None):
@@ -30,7 +46,7 @@ def cones(mesh, light, *, vectors=5800, seed=1, progress=None):
         >>> found.GetFieldData().GetArray("Certified").GetValue(0)
         1
     """
-    fitted = cone_set_of(_meshes.occluders_of(mesh), _lights.lights_of(light), vectors, seed)
+    fitted = cone_set_of(mesh, light, vectors, seed)
     _run.update(fitted, progress)
     return fitted.GetOutput()
 
@@ -82,7 +98,7 @@ def shadow_solids(mesh, light, *, bounds=None, resolution=64, vectors=5800, seed
         >>> solids = sc.shadow_solids(vtkSphereSource(), "point:0,0,3", resolution=16, vectors=500)
         >>> solids.save("shadow.stl")
     """
-    fitted = cone_set_of(_meshes.occluders_of(mesh), _lights.lights_of(light), vectors, seed)
+    fitted = cone_set_of(mesh, light, vectors, seed)
     volume = sc.vtkShadowVolume()
     volume.SetInputConnection(fitted.GetOutputPort())
     volume.SetResolution(resolution)

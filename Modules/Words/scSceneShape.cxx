@@ -165,6 +165,21 @@ double LargestSide(const Box& box)
   return std::max({ size.X, size.Y, size.Z });
 }
 
+// Widen a box to hold a lamp that is not far from the mesh.
+void AddIfNear(const SceneShape& shape, const Light& light, Box& box)
+{
+  Vector3 center;
+  double radius = 0.0;
+  LightBoundingSphere(light, center, radius);
+  const bool near = Length(center - shape.Bounds.Center()) + radius < 4.0 * LargestSide(shape.Bounds);
+  if (!IsAtInfinity(light) && near)
+  {
+    const Vector3 half{ radius, radius, radius };
+    box.Add(center + half);
+    box.Add(center - half);
+  }
+}
+
 CameraPlace CameraInRoom(const SceneShape& shape, double aspect)
 {
   CameraPlace camera;
@@ -207,8 +222,9 @@ SceneShape LookAtMesh(const TriangleMeshView& mesh, const std::vector<Light>& li
   {
     if (shape.Bounds.Size()[axis] < least)
     {
-      shape.Bounds.Add(shape.Bounds.Center() + Axis(axis, 0.5 * least));
-      shape.Bounds.Add(shape.Bounds.Center() - Axis(axis, least));
+      const Vector3 middle = shape.Bounds.Center();
+      shape.Bounds.Add(middle + Axis(axis, 0.5 * least));
+      shape.Bounds.Add(middle - Axis(axis, 0.5 * least));
     }
   }
   shape.Up = up >= 0 ? up : AxisThatIsUp(shape.Bounds.Size(), lights);
@@ -242,8 +258,8 @@ Light DefaultLamp(const SceneShape& shape)
   // Above and beside it, so that its shadow falls where nothing hides it.
   const Vector3 left = Cross(shape.Front, Axis(shape.Up));
   const Vector3 towards = Normalized(Axis(shape.Up) + 0.6 * left + 0.15 * shape.Front);
-  lamp.Radius = 0.1 * largest;
-  lamp.Center = center + (0.5 * size[shape.Up] + 0.6 * largest) / towards[shape.Up] * towards;
+  lamp.Radius = 0.07 * largest;
+  lamp.Center = center + (0.5 * size[shape.Up] + 0.5 * largest) / towards[shape.Up] * towards;
   lamp.Normal = -towards;
   return lamp;
 }
@@ -259,27 +275,18 @@ Box DefaultMedium(const SceneShape& shape, const std::vector<Light>& lights)
   for (int axis = 0; axis < 3; ++axis)
   {
     // Not below the ground that the mesh stands on.
-    const double more = (axis == shape.Up ? 0.2 : 0.6) * largest;
+    const double more = (axis == shape.Up ? 0.2 : 0.8) * largest;
     medium.Max += Axis(axis, more);
     medium.Min += Axis(axis, axis == shape.Up ? 0.0 : -more);
   }
   for (const Light& light : lights)
   {
-    Vector3 center;
-    double radius = 0.0;
-    LightBoundingSphere(light, center, radius);
-    const bool near = Length(center - shape.Bounds.Center()) + radius < 4.0 * largest;
-    if (!IsAtInfinity(light) && near)
-    {
-      const Vector3 half{ radius, radius, radius };
-      medium.Add(center + half);
-      medium.Add(center - half);
-    }
+    AddIfNear(shape, light, medium);
   }
   return medium;
 }
 
-CameraPlace DefaultCamera(const SceneShape& shape, const Box& medium, double aspect)
+CameraPlace DefaultCamera(const SceneShape& shape, const std::vector<Light>& lights, double aspect)
 {
   if (shape.Room)
   {
@@ -288,10 +295,19 @@ CameraPlace DefaultCamera(const SceneShape& shape, const Box& medium, double asp
   CameraPlace camera;
   const Vector3 right = Cross(Axis(shape.Up), shape.Front);
   camera.ViewUp = Axis(shape.Up);
-  camera.FocalPoint = medium.Center();
+  // The mesh and lamps near by, with a margin; the medium goes on beyond the picture.
+  Box seen = shape.Bounds;
+  for (const Light& light : lights)
+  {
+    AddIfNear(shape, light, seen);
+  }
+  const Vector3 margin = 0.05 * seen.Size();
+  seen.Add(seen.Max + margin);
+  seen.Add(seen.Min - margin);
+  camera.FocalPoint = seen.Center();
   const Vector3 towards = Normalized(shape.Front + 0.35 * right + Axis(shape.Up, 0.25));
   camera.Position = camera.FocalPoint + towards;
-  camera.Position = camera.FocalPoint + DistanceToSee(medium, camera, aspect) * towards;
+  camera.Position = camera.FocalPoint + DistanceToSee(seen, camera, aspect) * towards;
   return camera;
 }
 

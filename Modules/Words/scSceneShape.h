@@ -42,7 +42,7 @@ Light DefaultLamp(const SceneShape& shape);
 /// Around the mesh, its lamps where they are near, and the shadow behind it.
 Box DefaultMedium(const SceneShape& shape, const std::vector<Light>& lights);
 /// @param aspect width over height of the picture.
-CameraPlace DefaultCamera(const SceneShape& shape, const Box& medium, double aspect);
+CameraPlace DefaultCamera(const SceneShape& shape, const std::vector<Light>& lights, double aspect);
 /// Scattering coefficient, 1 / world unit, with which shafts are seen and what is behind them too.
 double DefaultSigmaS(const Box& medium);
 

@@ -22,6 +22,7 @@ namespace shadowcones
 struct FoundScene
 {
   SceneShape Shape = LookAtMesh(TriangleMeshView(), {}, -1);
+  std::vector<Light> Lights; // given, or the default lamp
   Box Medium = Shape.Bounds;
 };
 
@@ -83,9 +84,12 @@ bool vtkSceneDefaults::Find()
   try
   {
     this->Found->Shape = LookAtMesh(mesh.View(), lights, this->Up - 1);
-    const bool given = !lights.empty();
-    this->Found->Medium =
-      DefaultMedium(this->Found->Shape, given ? lights : std::vector<Light>{ DefaultLamp(this->Found->Shape) });
+    if (lights.empty())
+    {
+      lights.push_back(DefaultLamp(this->Found->Shape));
+    }
+    this->Found->Medium = DefaultMedium(this->Found->Shape, lights);
+    this->Found->Lights.swap(lights);
   }
   catch (const std::exception& fault)
   {
@@ -118,7 +122,7 @@ void vtkSceneDefaults::PlaceCamera(vtkCamera* camera, double aspect)
 {
   const double usable = std::isfinite(aspect) && aspect > 0.0 ? aspect : 1.0;
   const shadowcones::CameraPlace place =
-    shadowcones::DefaultCamera(this->Found->Shape, this->Found->Medium, usable);
+    shadowcones::DefaultCamera(this->Found->Shape, this->Found->Lights, usable);
   camera->SetParallelProjection(0);
   camera->SetUseHorizontalViewAngle(0);
   camera->SetPosition(place.Position.X, place.Position.Y, place.Position.Z);

@@ -10,11 +10,11 @@
  * - **A room** has a ceiling over at least 60 % of its ground with space below, and walls on two sides or more; closed all around it is
  *   one only where something stands in it. (A closed box with nothing in it is a thing.)
  * - **Lamp**: a disc. In a room flush with the ceiling in its middle, its radius 9 % of the room's smaller width. Else above the mesh and
- *   to its left, a radius of a tenth and a distance above it of 0.6 times the mesh's largest size, facing it.
+ *   to its left, a radius of 7 % and a height above it of half the mesh's largest size, facing it.
  * - **Camera**: of a room with an open side before that, else in a corner of it. Else from the front, 19 degrees to the
- *   right and 13 above, at the distance from which all of the medium is seen.
- * - **Medium**: of a room its bounds. Else the mesh's bounds, wider on each side by 0.6 and higher by 0.2 times the largest
- *   size, and lamps that are nearer than four of it. SigmaS is 0.7 over the medium's largest size.
+ *   right and 13 above, at the distance from which the mesh is seen and lamps that are nearer than four of its largest size.
+ * - **Medium**: of a room its bounds. Else the mesh's bounds, wider on each side by 0.8 and higher by 0.2 times the largest
+ *   size, and those lamps. SigmaS is 0.7 over the medium's largest size.
  *
  * The exposure needs no default: vtkScatteringImageFilter finds it (AutoExposure).
  *

@@ -82,6 +82,7 @@ class Values(unittest.TestCase):
             self.assertIsNone(plane.GetOutput().GetPointData().GetArray("Visibility"))
         grid = vtkImageData()
         grid.SetDimensions(3, 3, 3)
+        grid.SetOrigin(-1, -1, -1)
         self.assertIsInstance(sc.visibility(grid, PLATE, "point:0,0,9"), vtkImageData)
 
     def test_whose_shadow(self):
@@ -123,6 +124,11 @@ class Values(unittest.TestCase):
             grey = shot.rgb.mean(axis=2)
             self.assertGreater((grey > 20).mean(), 0.3, mesh)
             self.assertLess((grey > 250).mean(), 0.2, mesh)
+
+    def test_up_turns_a_sun_in_words(self):
+        shot = sc.light_shafts(PLATE, "sun: azimuth 0 altitude 90", size=(4, 4), up="y")
+        np.testing.assert_allclose(shot.lights[0].GetNormal(), (0, -1, 0), atol=1e-15)
+        np.testing.assert_allclose(shot.camera.GetViewUp(), (0, 1, 0))
 
     def test_cones_hold_the_shadow_and_say_so(self):
         found = sc.cones(ball(), "disc:0,0,3 radius 0.2 facing -z", vectors=500)
@@ -211,6 +217,12 @@ class Inputs(unittest.TestCase):
         light = self.LIGHT
         ask = sc.visibility
         where = [[0, 0, -2]]
+
+        def bad_lamp():
+            lamp = sc.vtkAreaLightSource()
+            lamp.SetRadius(-1)
+            return lamp
+
         cases = [
             (TypeError, "a mesh must be a path", lambda: ask(where, 5, light)),
             (TypeError, "a mesh must be a path", lambda: ask(where, None, light)),
@@ -236,6 +248,8 @@ class Inputs(unittest.TestCase):
             (TypeError, "camera must be a vtkCamera or", lambda: sc.light_shafts(PLATE, camera=(1, 2, 3), size=(4, 4))),
             (ValueError, "up must be x, y or z", lambda: sc.light_shafts(PLATE, up="w", size=(4, 4))),
             (ValueError, "error is 0", lambda: sc.light_shafts(PLATE, error=0, size=(4, 4))),
+            (ValueError, "vtkAreaLightSource: ", lambda: sc.light_shafts(PLATE, bad_lamp(), size=(4, 4))),
+            (ValueError, "vtkAreaLightSource: ", lambda: ask(where, PLATE, bad_lamp())),
             (ValueError, "SigmaS", lambda: sc.light_shafts(PLATE, sigma_s=-1, size=(4, 4))),
             (ValueError, 'which must be "outer" or "inner"', lambda: sc.Solids(None, None).save("a.stl", "both")),
         ]
@@ -298,7 +312,7 @@ class Files(unittest.TestCase):
 class Progress(unittest.TestCase):
     def test_fractions_rise_to_1(self):
         told = []
-        sc.light_shafts(os.path.join(DATA, "chair.vtp"), size=(48, 48), progress=told.append)
+        sc.light_shafts(os.path.join(DATA, "chair.vtp"), size=(48, 48), error=0.05, progress=told.append)
         self.assertGreater(len(told), 5)
         self.assertEqual(told, sorted(told))
         self.assertEqual(told[-1], 1.0)
