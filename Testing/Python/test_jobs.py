@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The questions of the first page run as printed, each in one line, and give what is right by hand."""
 
+import json
 import math
 import os
 import re
@@ -92,6 +93,44 @@ class Jobs(unittest.TestCase):
         write("tree.stl", box(5, 6, 0, 1, 0, 2))
         answer = self.ask("Whose shadow", points=[[0, 4.9, 0], [5.5, 2.9, 0], [5.5, 3.1, 0], [0, -1, 0]])
         self.assertEqual(answer.tolist(), ["house", "tree", "", ""])
+
+    def test_two_lamps(self):
+        # 60 W of a point: 60 / (4 pi d^2) on a plane that faces it. The plate hides one of them from the second point.
+        write("plate.stl", box(-0.9, -0.7, -0.2, 0.2, 0.9, 1.1))
+        answer = self.ask("How much light comes", points=[[0, 0, 0], [-0.8, 0, 0]])
+        each = 60.0 / (4.0 * math.pi) * 3.0
+        np.testing.assert_allclose(answer.sum(axis=1), [2.0 * each / 10.0 ** 1.5, each / (9.0 + 1.8 ** 2) ** 1.5], rtol=1e-4)
+
+    def test_fluence(self):
+        # 15 W of a sphere: radiance L = 15 / (pi 4 pi r^2), and L times its solid angle at distance d.
+        write("room.stl", box(-3, 3, -3, 3, 0, 3))
+        write("pillar.stl", box(0.9, 1.1, -0.1, 0.1, 0, 3))
+        answer = self.ask("How much passes", points=[[-1, 0, 1], [2, 0, 1]])
+        solid_angle = 2.0 * math.pi * (1.0 - math.sqrt(1.0 - 0.05 ** 2 / (1.0 + 1.5 ** 2)))
+        radiance = 15.0 / (math.pi * 4.0 * math.pi * 0.05 ** 2)
+        np.testing.assert_allclose(answer.sum(axis=1), [radiance * solid_angle, 0.0], rtol=1e-4)
+
+    def test_width(self):
+        # The edge is 4 above the ground: 4 sqrt 2 away along the light. 80.545 % of the Sun's angle, stretched by 1 / sin 45.
+        write("house.stl", box(-9, 9, 0, 1, 0, 4))
+        points = [[0, 5 + x, 0] for x in np.linspace(-0.02, 0.02, 5)]
+        answer = self.ask("How wide is", points=points)
+        right = 0.80545 * math.radians(0.533) * 4.0 * math.sqrt(2.0) * math.sqrt(2.0)
+        self.assertAlmostEqual(float(answer[2]), right, delta=0.05 * right)
+
+    def test_footprints(self):
+        write("ground.stl", square(20, 0.0))
+        write("house.stl", box(-1, 1, 0, 1, 0, 4))
+        write("tree.stl", box(5, 6, 0, 1, 0, 2))
+        self.ask("Where does it lie")
+        with open("shadow.geojson", encoding="utf-8") as file:
+            features = json.load(file)["features"]
+        names = {feature["properties"]["OccluderName"] for feature in features}
+        self.assertEqual(names, {"house", "tree"})
+        # The house hides 2 x 1 under it and 2 x 4 behind it, and half of a fringe of 0.07 more.
+        whole = [f["properties"]["Area"] for f in features
+                 if f["properties"]["OccluderName"] == "house" and f["properties"]["ShadowClass"] == 1]
+        self.assertAlmostEqual(sum(whole), 10.0, delta=0.6)
 
     def test_solid(self):
         self.part()
