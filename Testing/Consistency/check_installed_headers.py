@@ -6,7 +6,7 @@ import os
 import re
 import sourcetree
 
-THIRD_PARTIES = re.compile(r"embree|rtcore|^pcl/|flann|OpenMesh|Eigen", re.IGNORECASE)
+THIRD_PARTIES = re.compile(r"embree|rtcore|^pcl/|flann|OpenMesh|Eigen|erfa", re.IGNORECASE)
 
 
 def faults(root):

@@ -231,7 +231,7 @@ int Long(
         self.assertEqual(self.faults(check_rooms, {inside: SOUND[inside] + '#include "scRay.h"\n'}), [])
 
     def test_installed_headers(self):
-        for name in ("<embree4/rtcore.h>", "<Eigen/Dense>", "<pcl/types.h>", "<OpenMesh/Core.hh>", '"scInside.h"'):
+        for name in ("<embree4/rtcore.h>", "<Eigen/Dense>", "<pcl/types.h>", "<OpenMesh/Core.hh>", "<erfa.h>", '"scInside.h"'):
             for path in ("Modules/Core/Base/scRay.h", "Modules/Filters/vtkThing.h"):
                 changes = {path: LICENCE + f"#include {name}\n"}
                 self.assertEqual(len(self.faults(check_installed_headers, changes)), 1, name)
