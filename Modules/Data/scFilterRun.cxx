@@ -138,10 +138,18 @@ void HandlePieces(vtkInformationVector* outputVector)
   }
 }
 
-void OfferTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void OfferTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputVector, vtkInformationVector* outputVector,
+  int timeless)
 {
   InputTimes times;
-  ForEachConnection(algorithm, inputVector, 0, [&times](int, int, vtkInformation* info) { times.Add(info); });
+  ForEachConnection(algorithm, inputVector, 0,
+    [&times, timeless](int port, int, vtkInformation* info)
+    {
+      if (port != timeless)
+      {
+        times.Add(info);
+      }
+    });
   const std::vector<double> steps(times.Steps.begin(), times.Steps.end());
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {

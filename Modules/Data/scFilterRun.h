@@ -61,10 +61,11 @@ SHADOWCONESDATA_EXPORT void OfferImage(
 /**
  * Tell the pipeline at which times every output can be asked for: at the steps of all inputs, in ascending order and without
  * repeats; the range is the least that holds all of theirs. No time where no input has any. (The pipeline itself looks at
- * the first input alone, and does not run a filter again for another time unless the filter offers times.)
+ * the first input alone, and does not run a filter again for another time unless the filter offers times.) An input on port
+ * @p timeless is the same at every time, and does not count.
  */
-SHADOWCONESDATA_EXPORT void OfferTimes(
-  vtkAlgorithm* algorithm, vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+SHADOWCONESDATA_EXPORT void OfferTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int timeless = -1);
 
 /// Ask every input from @p firstPort on for all of its data, images for their whole extent.
 SHADOWCONESDATA_EXPORT void RequestWholeInputs(

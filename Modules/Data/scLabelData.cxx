@@ -359,6 +359,7 @@ void WriteReport(const GivenMesh& given, const OccluderTopology& topology, vtkPo
   vtkFieldData* data = output->GetFieldData();
   const auto add = [data](const char* name, vtkIdType value) { AddIdArray(data, name, { value }); };
   add("NumberOfOccluders", static_cast<vtkIdType>(topology.Closed.size()));
+  add("ExtractedSurfaces", given.ExtractedSurfaces);
   add("TriangulatedPolygons", given.TriangulatedPolygons);
   add("WeldedPoints", topology.WeldedPoints);
   add("DroppedCells", topology.DegenerateTriangles + topology.DuplicateTriangles + given.DroppedPolygons);

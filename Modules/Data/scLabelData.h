@@ -26,6 +26,7 @@ struct SHADOWCONESDATA_EXPORT GivenMesh
   std::vector<int> Labels;             ///< one a triangle, of Names; empty: none was given
   std::vector<std::string> Names;      ///< by label
   std::vector<vtkIdType> SourcePoints; ///< of each point; empty: the same
+  vtkIdType ExtractedSurfaces = 0; ///< data sets that were no poly data
   vtkIdType TriangulatedPolygons = 0;
   vtkIdType DroppedPolygons = 0; ///< fewer than three corners
   vtkIdType IgnoredCells = 0;

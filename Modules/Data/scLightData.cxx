@@ -7,6 +7,7 @@
 #include "scSentence.h"
 #include "scShapeOfMesh.h"
 #include "scSpectrum.h"
+#include "scSunData.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -199,6 +200,13 @@ bool ReadMesh(vtkPolyData* input, Light& light, std::string& error)
 {
   light.Shape = LightShape::Mesh;
   const vtkIdType numberOfFaces = input->GetNumberOfPolys() + input->GetNumberOfStrips();
+  const double altitude = AltitudeBelowHorizon(input->GetFieldData());
+  if (numberOfFaces == 0 && altitude < 0.0)
+  {
+    error = Sentence("The Sun is below the horizon, at an altitude of ", altitude,
+      " degrees: there is no light at this time. Ask for another time of the vtkSunPath.");
+    return false;
+  }
   if (numberOfFaces == 0 && input->GetNumberOfVerts() == 0)
   {
     error = "The light is empty: it has neither polygons nor vertices.";
@@ -387,6 +395,16 @@ void WriteLightFieldData(const Light& light, vtkDataObject* output)
     data, "LightAxes", 3, { light.AxisU.X, light.AxisU.Y, light.AxisU.Z, light.AxisV.X, light.AxisV.Y, light.AxisV.Z });
   AddDoubleArray(data, "LightRadius", 1, { light.Radius });
   AddDoubleArray(data, "LightSpectrum", 1, light.Spectrum);
+}
+
+//------------------------------------------------------------------------------
+void WriteSun(const Light& sun, vtkPolyData* output)
+{
+  SetVertices(output, { sun.Center.X, sun.Center.Y, sun.Center.Z });
+  // Transforms turn normals: what is left of a Sun's direction when it was turned as data.
+  AddDoubleArray(output->GetPointData(), "Normals", 3, { sun.Normal.X, sun.Normal.Y, sun.Normal.Z });
+  output->GetPointData()->SetActiveNormals("Normals");
+  WriteLightFieldData(sun, output);
 }
 
 //------------------------------------------------------------------------------

@@ -28,6 +28,12 @@ namespace shadowcones
  */
 SHADOWCONESDATA_EXPORT void WriteLightFieldData(const Light& light, vtkDataObject* output);
 
+/**
+ * Write a Sun: a vertex at its centre, which stands for it on the screen, with its direction as active normals "Normals" (double
+ * 3), which transforms turn, and the field data of its exact shape.
+ */
+SHADOWCONESDATA_EXPORT void WriteSun(const Light& sun, vtkPolyData* output);
+
 /// Add "LightFingerprint" (unsigned 64-bit, one value a light: FingerprintOf) to the field data of an output.
 SHADOWCONESDATA_EXPORT void WriteLightFingerprints(const std::vector<Light>& lights, vtkDataObject* output);
 /// What WriteLightFingerprints wrote; none where there is no such array.

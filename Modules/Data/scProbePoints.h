@@ -11,6 +11,8 @@
 #include "scShadowClass.h"
 #include "scVisibilityProbe.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,20 @@ SHADOWCONESDATA_EXPORT bool ReadProbePoints(
 
 /// How many points are of this class towards every light.
 SHADOWCONESDATA_EXPORT vtkIdType CountOfClass(const VisibilityResult& result, std::size_t lights, ShadowClass kind);
+
+/// Values of some items, @p components each, among those of all @p count; the others get @p other.
+template <typename T>
+std::vector<T> Spread(
+  const std::vector<T>& values, int components, const std::vector<vtkIdType>& items, vtkIdType count, T other)
+{
+  const auto n = static_cast<std::size_t>(components);
+  std::vector<T> all(n * static_cast<std::size_t>(count), other);
+  for (std::size_t k = 0; k < items.size(); ++k)
+  {
+    std::copy_n(values.data() + n * k, n, all.data() + n * static_cast<std::size_t>(items[k]));
+  }
+  return all;
+}
 
 } // namespace shadowcones
 

@@ -4,6 +4,7 @@
 #include "scFieldArrays.h"
 #include "scFingerprint.h"
 #include "scParallel.h"
+#include "scProbePoints.h"
 #include "scSentence.h"
 
 #include "vtkDataArray.h"
@@ -345,19 +346,6 @@ void WriteBricks(const std::vector<VisibilityGrid>& grids, vtkFieldData* field)
   }
 }
 
-/// Values of some items, @p components each, among those of all.
-template <typename T>
-std::vector<T> Spread(
-  const std::vector<T>& values, int components, const std::vector<vtkIdType>& items, vtkIdType count, T other)
-{
-  const auto n = static_cast<std::size_t>(components);
-  std::vector<T> all(n * static_cast<std::size_t>(count), other);
-  for (std::size_t k = 0; k < items.size(); ++k)
-  {
-    std::copy_n(values.data() + n * k, n, all.data() + n * static_cast<std::size_t>(items[k]));
-  }
-  return all;
-}
 } // anonymous namespace
 
 bool ReadVisibilityGrids(

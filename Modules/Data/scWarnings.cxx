@@ -387,6 +387,15 @@ std::string OccludersWithoutSurface(vtkIdType without, vtkIdType occluders)
     : std::string();
 }
 
+std::string SunNeverUp(vtkIdType steps, double minimum, double highest)
+{
+  return steps > 0 && !(highest > minimum)
+    ? Sentence("The Sun is above MinimumAltitude, ", minimum, " degrees, in none of the ", steps,
+        " steps of its path: the highest is at ", highest,
+        " degrees, and all hours are 0. Check Latitude, Longitude, Start and End of the vtkSunPath.")
+    : std::string();
+}
+
 std::string TrianglesDropped(vtkIdType dropped, vtkIdType triangles)
 {
   return static_cast<double>(dropped) > mostDropped * static_cast<double>(triangles)

@@ -80,6 +80,9 @@ SHADOWCONESDATA_EXPORT std::string OutOfFirstBounds(const Box& scene);
 /// vtkShadowVolume.
 SHADOWCONESDATA_EXPORT std::string OccludersWithoutSurface(vtkIdType without, vtkIdType occluders);
 
+/// vtkSunHours: of @p steps, none with the Sun above the @p minimum altitude; the @p highest is, degrees.
+SHADOWCONESDATA_EXPORT std::string SunNeverUp(vtkIdType steps, double minimum, double highest);
+
 /// vtkLabelOccluders.
 SHADOWCONESDATA_EXPORT std::string TrianglesDropped(vtkIdType dropped, vtkIdType triangles);
 /// A mesh, or blocks of meshes, whose points are in single precision and too far out for their polygons' edges.

@@ -3,6 +3,7 @@
 
 #include "scFilterRun.h"
 #include "scLabelData.h"
+#include "scMeshSurfaces.h"
 #include "scParameterRanges.h"
 #include "scSentence.h"
 #include "scWarnings.h"
@@ -11,6 +12,7 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <exception>
 #include <string>
@@ -43,7 +45,7 @@ vtkLabelOccluders::vtkLabelOccluders()
 
 int vtkLabelOccluders::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
-  AcceptBlocks(info);
+  AcceptDataSets(info);
   return 1;
 }
 
@@ -97,10 +99,12 @@ int vtkLabelOccluders::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const FilterRun run(this, request, inputVector, outputVector);
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   GivenMesh given;
   std::string error;
-  if (!run.AreInputsWhole(error) || !this->ReadInput(input, given, error))
+  vtkSmartPointer<vtkDataObject> input; // what is given points into it
+  if (!run.AreInputsWhole(error) ||
+    !(input = SurfacesOf(vtkDataObject::GetData(inputVector[0]), given.ExtractedSurfaces, error)) ||
+    !this->ReadInput(input, given, error))
   {
     return run.Fail(error);
   }

@@ -19,8 +19,11 @@
  * The half-edge structure is that of OpenMesh. Cost is near-linear: 70,000 triangles take about a tenth of a second.
  * All work is in double precision and lengths are measured against the triangles at hand: place and size do not matter.
  *
- * **Input 0**: vtkPolyData, vtkMultiBlockDataSet, vtkPartitionedDataSet or vtkPartitionedDataSetCollection of poly
- * data. A block is a leaf of a multiblock, or one vtkPartitionedDataSet or vtkMultiPieceDataSet with all its pieces.
+ * **Input 0**: any vtkDataSet, or composite data of them. Of data that are no vtkPolyData the outer surface is taken: the faces
+ * that belong to one cell alone (hidden and duplicate cells are not there, so that what they hid is seen), and cells that are
+ * faces; nonlinear faces become triangles. A triangle then has the id of its cell in "vtkOriginalCellIds" (id, cell data,
+ * counted in each block), in place of an array of that name. Occluders that meet inside a volume have no wall between
+ * them, and are open there. A block is a leaf of a multiblock, or one vtkPartitionedDataSet or vtkMultiPieceDataSet with all its pieces.
  * Cell and point arrays that all blocks have are passed on: a triangle gets its cell's values, a point those of the
  * earliest point welded into it. The point array "Normals" (or the active normals) is passed on too, turned where a
  * triangle was turned; a point stands once for each of its normals, so that sharp edges stay sharp. A cell array
@@ -32,6 +35,7 @@
  *
  * Field data, all of 1 component and, but for the last two, 1 value:
  * - "NumberOfOccluders" (id)
+ * - "ExtractedSurfaces" (id): data sets that were no vtkPolyData, whose outer surface was taken
  * - "TriangulatedPolygons" (id): polygons of more than three corners, and strips
  * - "WeldedPoints" (id): points of polygons that were replaced by an earlier one
  * - "DroppedCells" (id): triangles of step 3, and polygons of fewer than three corners

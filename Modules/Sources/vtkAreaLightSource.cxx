@@ -16,7 +16,6 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -102,6 +101,38 @@ void TessellateSphere(const Light& light, int resolution, vtkPoints* points, vtk
   }
 }
 
+/// The mesh that shows a light with a place.
+void WriteMesh(const Light& light, int resolution, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  switch (light.Shape)
+  {
+    case LightShape::Disc:
+      TessellateDisc(light, resolution, points, cells);
+      break;
+    case LightShape::Rectangle:
+      TessellateRectangle(light, points, cells);
+      break;
+    case LightShape::Sphere:
+      TessellateSphere(light, resolution, points, cells);
+      break;
+    default:
+      cells->InsertNextCell({ InsertPoint(points, light.Center) });
+      break;
+  }
+  output->SetPoints(points);
+  if (light.Shape == LightShape::Point)
+  {
+    output->SetVerts(cells);
+  }
+  else
+  {
+    output->SetPolys(cells);
+  }
+}
+
 } // namespace
 
 vtkStandardNewMacro(vtkAreaLightSource);
@@ -177,42 +208,15 @@ int vtkAreaLightSource::RequestData(vtkInformation*, vtkInformationVector**, vtk
     return 0;
   }
 
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  switch (this->Shape)
+  if (this->Shape == Sun)
   {
-    case Disc:
-      TessellateDisc(light, this->Resolution, points, cells);
-      break;
-    case Rectangle:
-      TessellateRectangle(light, points, cells);
-      break;
-    case Sphere:
-      TessellateSphere(light, this->Resolution, points, cells);
-      break;
-    default:
-      cells->InsertNextCell({ InsertPoint(points, { this->Center[0], this->Center[1], this->Center[2] }) });
-      break;
-  }
-  output->SetPoints(points);
-  if (this->Shape == Point || this->Shape == Sun)
-  {
-    output->SetVerts(cells);
-    if (this->Shape == Sun)
-    {
-      // Transforms turn normals: what is left of a Sun's direction when it was turned as data.
-      const Vector3& normal = light.Normal;
-      AddDoubleArray(output->GetPointData(), "Normals", 3, { normal.X, normal.Y, normal.Z });
-      output->GetPointData()->SetActiveNormals("Normals");
-    }
+    WriteSun(light, output);
   }
   else
   {
-    output->SetPolys(cells);
+    WriteMesh(light, this->Resolution, output);
+    WriteLightFieldData(light, output);
   }
-
-  WriteLightFieldData(light, output);
   AddDoubleArray(output->GetFieldData(), "LightWavelengths", 1, DefaultWavelengths(this->NumberOfWavelengths));
   return 1;
 }

@@ -38,6 +38,11 @@ def property_faults(item, instance):
         if item.get("default_values"):
             yield "a list has no default"
         return
+    if item.tag == "StringVectorProperty":
+        wanted = getattr(instance, "Get" + command[3:])()
+        if item.get("default_values") != wanted:
+            yield f"the XML says {item.get('default_values')}, the class {wanted}"
+        return
     wanted = numbers(getattr(instance, "Get" + command[3:])())
     given = [float(v) for v in item.get("default_values", "").split()]
     if given != wanted:

@@ -29,8 +29,8 @@
 #include "vtkPolyDataConnectivityFilter.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkTable.h"
 #include "vtkTriangleFilter.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -339,8 +339,8 @@ TEST(LabelOccluders, BlocksOfEveryComposite)
 
   vtkNew<vtkMultiBlockDataSet> mixed;
   mixed->SetBlock(0, Cube());
-  mixed->SetBlock(1, vtkNew<vtkUnstructuredGrid>());
-  EXPECT_SAYS(Error(mixed), "Block 1 is a vtkUnstructuredGrid: every block must be a vtkPolyData.");
+  mixed->SetBlock(1, vtkNew<vtkTable>());
+  EXPECT_SAYS(Error(mixed), "Block 1 is a vtkTable: every block must be a vtkPolyData.");
 }
 
 TEST(LabelOccluders, EmptyInEmptyOut)
