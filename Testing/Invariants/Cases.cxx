@@ -15,6 +15,8 @@
 #include "vtkShadowFootprints.h"
 #include "vtkShadowVectorFilter.h"
 #include "vtkShadowVolume.h"
+#include "vtkSunHours.h"
+#include "vtkSunPath.h"
 #include "vtkToneMapRadiance.h"
 #include "vtkVisibilityVolume.h"
 
@@ -182,6 +184,13 @@ Setting AreaLight(Size)
   return { source, {} };
 }
 
+Setting SunPath(Size)
+{
+  auto source = vtkSmartPointer<vtkSunPath>::New();
+  source->SetStart("2024-06-21T12:00:00Z");
+  return { source, {} };
+}
+
 Setting LabelOccluders(Size size)
 {
   auto filter = vtkSmartPointer<vtkLabelOccluders>::New();
@@ -255,19 +264,43 @@ Setting ShadowVolume(Size size, int umbra)
   return { filter, { { 0, Cones() } } };
 }
 
-/// Asks at points of a grid in the room.
-Setting ConeSetProbe(Size size, int method)
+/// A grid in the room, so many points along each edge.
+vtkSmartPointer<vtkPolyData> PointsOfRoom(int edge)
 {
-  auto filter = vtkSmartPointer<vtkConeSetProbe>::New();
-  filter->SetMethod(method);
-  const int edge = size == Size::Small ? 16 : 90;
   std::vector<double> points;
   for (int k = 0; k < edge * edge * edge; ++k)
   {
     points.insert(points.end(),
       { 5.0 * (k % edge) / edge - 2.5, 5.0 * (k / edge % edge) / edge, 5.0 * (k / edge / edge) / edge - 2.5 });
   }
-  return { filter, { { 0, PointsAt(points) }, { 1, Cones() }, { 2, Lamp() }, { 3, Room() } } };
+  return PointsAt(points);
+}
+
+/// Asks at points of a grid in the room.
+Setting ConeSetProbe(Size size, int method)
+{
+  auto filter = vtkSmartPointer<vtkConeSetProbe>::New();
+  filter->SetMethod(method);
+  const int edge = size == Size::Small ? 16 : 90;
+  return { filter, { { 0, PointsOfRoom(edge) }, { 1, Cones() }, { 2, Lamp() }, { 3, Room() } } };
+}
+
+/// Asks at points of a grid in the room along a day; the Sun comes in by the open front.
+Setting SunHours(Size size, double angularDiameter)
+{
+  vtkNew<vtkSunPath> path;
+  path->SetLatitude(35.0);
+  path->SetUp(0.0, 1.0, 0.0);
+  path->SetNorth(0.0, 0.0, -1.0);
+  path->SetStart("2024-12-21");
+  path->SetEnd("2024-12-22");
+  path->SetStep(20.0);
+  path->SetAngularDiameter(angularDiameter);
+  auto filter = vtkSmartPointer<vtkSunHours>::New();
+  filter->SetNumberOfLightSamples(20);
+  filter->SetComputeOccluders(true);
+  const int edge = size == Size::Small ? 10 : angularDiameter > 0.0 ? 50 : 110;
+  return { filter, { { 0, PointsOfRoom(edge) }, { 1, Room() }, { 2, Take(path) } } };
 }
 
 /// The floor of the room, with normals that point up.
@@ -412,6 +445,7 @@ const std::vector<Case>& AllCases()
 {
   static const std::vector<Case> cases = {
     { "AreaLight", AreaLight, false, false },
+    { "SunPath", SunPath, false, false },
     { "LabelOccluders", LabelOccluders },
     { "ShadowVectorsOfPhotons", [](Size size) { return ShadowVectors(size, false, false); } },
     { "ShadowVectorsToATarget", [](Size size) { return ShadowVectors(size, true, true); } },
@@ -428,6 +462,8 @@ const std::vector<Case>& AllCases()
     { "ConeSetProbeArrivingLight", ArrivingLight, true, false },
     { "PenumbraWidth", PenumbraWidth, true, false },
     { "ShadowFootprints", Footprints, true, false },
+    { "SunHoursHard", [](Size size) { return SunHours(size, 0.0); }, true, false, 2 },
+    { "SunHoursDisc", [](Size size) { return SunHours(size, 0.533); }, true, false, 2 },
     { "VisibilityVolumeExact", [](Size size) { return VisibilityVolume(size, vtkVisibilityVolume::Exact); } },
     { "VisibilityVolumeSoft", [](Size size) { return VisibilityVolume(size, vtkVisibilityVolume::Soft); } },
     { "ScatteringBruteForce", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::BruteForce); } },

@@ -40,6 +40,7 @@ struct Case
   std::function<Setting(Size)> Make;
   bool Long = true;    ///< has work to report progress of, and to abort
   bool Divides = true; ///< pieces are parts; else each piece is the whole
+  int TimelessPort = -1; ///< an input that is the same at all times: its times are not offered
 };
 
 inline void PrintTo(const Case& one, std::ostream* os)
