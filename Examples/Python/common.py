@@ -10,6 +10,7 @@ import scenes
 import shadowcones as sc
 import vtkmodules.vtkRenderingFreeType  # the text of captions
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkHedgeHog
@@ -28,6 +29,9 @@ GREY = (0.8, 0.78, 0.74)
 BLUE = (0.15, 0.35, 0.95)
 RED = (0.9, 0.1, 0.1)
 GREEN = (0.0, 0.55, 0.1)
+# From blue through grey to yellow, lighter all the way: the colours of "cividis", which colour-blind people see alike.
+SCALE = np.array([(0, 34, 78), (18, 53, 112), (59, 73, 108), (87, 93, 109), (112, 113, 115), (138, 134, 120), (165, 156, 116),
+                  (195, 179, 105), (225, 204, 85), (254, 232, 56)])
 
 
 def parser(description, size, vectors=None):
@@ -224,6 +228,39 @@ def table(rows, columns, row_titles=None, gap=4):
         lines += [beside(pictures, title)]
     between = np.full((gap, lines[0].shape[1], 3), 255, dtype=np.uint8)
     return np.concatenate([part for strip in reversed(lines) for part in (strip, between)][:-1], axis=0)
+
+
+def scale(count):
+    """So many colours from the first to the last, 0 to 255."""
+    at = np.linspace(0.0, len(SCALE) - 1.0, count)
+    return np.stack([np.interp(at, np.arange(len(SCALE)), SCALE[:, channel]) for channel in range(3)], axis=1)
+
+
+def color_by(actor, name, most):
+    """Colour the cells of a mesh by their values of an array, from 0 to most."""
+    colors = vtkLookupTable()
+    colors.SetNumberOfTableValues(256)
+    colors.SetTableRange(0.0, most)
+    for k, color in enumerate(scale(256)):
+        colors.SetTableValue(k, *(color / 255.0))
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray(name)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.SetLookupTable(colors)
+
+
+def legend(width, height, values, form):
+    """A strip of the scale with values under it, the first at its beginning and the last at its end."""
+    line, label = 26, 60
+    margin = max(width // 4, label // 2)
+    bar = np.full((height + line, width, 3), 255, dtype=np.uint8)
+    bar[line:, margin:width - margin] = scale(width - 2 * margin).astype(np.uint8)
+    for value in values:
+        at = margin + round((width - 2 * margin) * (value - values[0]) / (values[-1] - values[0])) - label // 2
+        bar[:line, at:at + label] = text(form.format(value), label, line)
+    return bar
 
 
 def add_actor(renderer, source, color, opacity=1.0, line_width=1.0, ambient=0.0):
