@@ -218,9 +218,10 @@ PenumbraPlace PenumbraRuler::At(const Vector3& point, const Vector3& normal, boo
   {
     return place;
   }
-  // Off the surface by what single precision can lose, which else might hide the places from the light.
+  // Off the surface, towards the light, by what single precision can lose, which else might hide the places.
+  const Vector3 toLight = IsAtInfinity(impl.Lamp) ? -impl.Lamp.Normal : impl.Center - point;
   const double lift = 0x1p-22 * std::max({ std::fabs(point.X), std::fabs(point.Y), std::fabs(point.Z) });
-  const Vector3 start = point + lift * normal;
+  const Vector3 start = point + (Dot(toLight, normal) < 0.0 ? -lift : lift) * normal;
   const Vector3 uphill = impl.Uphill(start, normal, horizon, 0.15 * rough);
   const auto at = [&](double length) { return start + length * uphill; };
   const auto fraction = [&](double length) { return impl.Fraction(at(length), horizon); };

@@ -5,6 +5,7 @@
 
 #include "vtkPenumbraWidth.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkDoubleArray.h"
 #include "vtkLineSource.h"
 #include "vtkStringArray.h"
@@ -220,6 +221,41 @@ TEST(PenumbraWidth, LampsNamesAndHiddenPoints)
     EXPECT_EQ(names->GetValue(0), "77");
   }
   EXPECT_EQ(LineArray(filter, "LightId")->GetComponent(1, 0), 1.0);
+}
+
+TEST(PenumbraWidth, ASurfaceInTheMeshHidesNothingOfItself)
+{
+  // A floor that leans, in single precision, wound either way and without normals: with it in the mesh and without.
+  const auto lamp = LampAbove(4.0, 0.4);
+  for (const bool up : { true, false })
+  {
+    const Vector3 along{ 0.6, 0.0, 0.07 };
+    const Vector3 beside{ 0.0, 0.6, 0.03 };
+    const auto leaning = Plane({ -0.3, -0.3, 0.0 }, up ? along : beside, up ? beside : along);
+    vtkNew<vtkPlaneSource> fine;
+    fine->SetOrigin(leaning->GetPoint(0));
+    fine->SetPoint1(leaning->GetPoint(1));
+    fine->SetPoint2(leaning->GetPoint(2));
+    fine->SetResolution(6, 6);
+    fine->Update();
+    vtkPolyData* floor = fine->GetOutput();
+    floor->GetPointData()->SetNormals(nullptr);
+    vtkNew<vtkAppendPolyData> both;
+    const auto wall = HalfWall();
+    both->AddInputData(wall);
+    both->AddInputData(floor);
+    both->Update();
+    const auto alone = Widths(floor, lamp->GetOutputPort(), wall);
+    const auto with = Widths(floor, lamp->GetOutputPort(), both->GetOutput());
+    EXPECT_EQ(ErrorsOf(alone) + ErrorsOf(with), "");
+    EXPECT_GT(alone->GetOutput(1)->GetNumberOfLines(), 30) << up;
+    ASSERT_EQ(with->GetOutput(1)->GetNumberOfLines(), alone->GetOutput(1)->GetNumberOfLines()) << up;
+    for (vtkIdType k = 0; k < with->GetOutput(1)->GetNumberOfLines(); ++k)
+    {
+      EXPECT_NEAR(LineArray(with, "PenumbraWidth")->GetComponent(k, 0),
+        LineArray(alone, "PenumbraWidth")->GetComponent(k, 0), 0.02) << up << " " << k;
+    }
+  }
 }
 
 TEST(PenumbraWidth, SaysWhatIsWrong)
