@@ -399,4 +399,42 @@ bool ReadReflectance(const TriangleMesh& mesh, std::size_t wavelengths, double m
   return true;
 }
 
+bool ReadPointNormals(const TriangleMesh& mesh, std::vector<float>& normals, std::string& error)
+{
+  normals.clear();
+  for (const MeshBlock& block : mesh.Blocks)
+  {
+    vtkPointData* data = block.Data->GetPointData();
+    vtkDataArray* named = data->GetArray("Normals");
+    vtkDataArray* array = named ? named : data->GetNormals();
+    if (!array)
+    {
+      continue;
+    }
+    const vtkIdType points = block.Data->GetNumberOfPoints();
+    if (array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != points)
+    {
+      error = Sentence("Point array \"Normals\" of the mesh has ", array->GetNumberOfTuples(), " tuples of ",
+        array->GetNumberOfComponents(), " components for ", points,
+        " points: it must have 3 components and one tuple a point.");
+      return false;
+    }
+    normals.resize(mesh.Points.size(), 0.0f);
+    for (vtkIdType point = 0; point < points; ++point)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const auto value = static_cast<float>(array->GetComponent(point, c));
+        if (!std::isfinite(value))
+        {
+          error = Sentence("Point array \"Normals\" of the mesh is not finite at point ", point, ".");
+          return false;
+        }
+        normals[static_cast<std::size_t>(3 * (block.FirstPoint + point) + c)] = value;
+      }
+    }
+  }
+  return true;
+}
+
 } // namespace shadowcones

@@ -72,6 +72,14 @@ struct SurfaceReflectance
 SHADOWCONESDATA_EXPORT bool ReadReflectance(const TriangleMesh& mesh, std::size_t wavelengths, double missing,
   SurfaceReflectance& reflectance, std::string& error);
 
+/**
+ * Read the mesh's optional point array "Normals", or else its active normals: 3 values a point, of any length, 0 for points of
+ * blocks without; empty where no block has any.
+ * @return false, with a sentence in @p error that names the wrong size or the point whose normal is not finite.
+ */
+SHADOWCONESDATA_EXPORT bool ReadPointNormals(
+  const TriangleMesh& mesh, std::vector<float>& normals, std::string& error);
+
 } // namespace shadowcones
 
 #endif

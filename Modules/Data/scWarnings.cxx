@@ -452,6 +452,15 @@ std::string GoalNotMet(vtkIdType pixels, vtkIdType missed, double goal, double w
     : std::string();
 }
 
+std::string SurfaceGoalNotMet(vtkIdType pixels, vtkIdType missed, double goal, double worst, int maximumSamples)
+{
+  return pixels > 0 && static_cast<double>(missed) > mostMissed * static_cast<double>(pixels)
+    ? Sentence("The surfaces of ", missed, " of ", pixels, " pixels (", Percent(missed, pixels),
+        ") miss the RelativeErrorGoal of ", goal, ", the worst with a relative error of ", worst, ": MaximumSamples, ",
+        maximumSamples, ", ends their sampling. Raise it, or accept the noise.")
+    : std::string();
+}
+
 std::string MediumBeyondVolume(double share)
 {
   return share > mostBeyond ? Sentence(Percent(share),

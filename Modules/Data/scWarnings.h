@@ -93,6 +93,9 @@ SHADOWCONESDATA_EXPORT std::string MediumNotSeen(vtkIdType pixels, vtkIdType thr
 SHADOWCONESDATA_EXPORT std::string NothingSeen(vtkIdType pixels, vtkIdType bright);
 SHADOWCONESDATA_EXPORT std::string GoalNotMet(
   vtkIdType pixels, vtkIdType missed, double goal, double worst, int maximumSamples);
+/// The same of surfaces, of @p pixels that see one.
+SHADOWCONESDATA_EXPORT std::string SurfaceGoalNotMet(
+  vtkIdType pixels, vtkIdType missed, double goal, double worst, int maximumSamples);
 SHADOWCONESDATA_EXPORT std::string MediumBeyondVolume(double share);
 /// Steps of a march that light hardly passes: @p rays that have some, @p opticalDepth of the worst.
 SHADOWCONESDATA_EXPORT std::string ThickSteps(vtkIdType rays, vtkIdType pixels, double opticalDepth, int steps);

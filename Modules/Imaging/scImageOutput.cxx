@@ -2,7 +2,6 @@
 #include "scImageOutput.h"
 
 #include "scFieldArrays.h"
-#include "scToneMap.h"
 
 #include "vtkCamera.h"
 #include "vtkFieldData.h"
@@ -65,6 +64,7 @@ void WritePixels(const ScatteringImage& image, vtkPointData* points)
   AddFloatArray(points, "Transmittance", wavelengths, image.Transmittance);
   AddFloatArray(points, "Depth", 1, image.Depth);
   AddFloatArray(points, "RelativeError", 1, image.RelativeError);
+  AddFloatArray(points, "SurfaceRelativeError", 1, image.SurfaceRelativeError);
   AddIntArray(points, "SampleCount", 1, image.SampleCount);
 }
 
@@ -99,7 +99,8 @@ double FindExposure(vtkImageData* image, const std::vector<double>& wavelengthsI
   return ExposureOf(std::move(luminances));
 }
 
-void WriteRgb(vtkImageData* image, const std::vector<double>& wavelengthsInNm, double exposure, vtkImageData* output)
+void WriteRgb(vtkImageData* image, const std::vector<double>& wavelengthsInNm, double exposure, ToneCurve curve,
+  vtkImageData* output)
 {
   const FloatValues radiance(image->GetPointData()->GetArray("Radiance"));
   const vtkIdType pixels = image->GetNumberOfPoints();
@@ -107,7 +108,7 @@ void WriteRgb(vtkImageData* image, const std::vector<double>& wavelengthsInNm, d
   rgb->SetName("RGB");
   rgb->SetNumberOfComponents(3);
   rgb->SetNumberOfTuples(pixels);
-  ToneMap(radiance.Data(), pixels, wavelengthsInNm, exposure, rgb->GetPointer(0));
+  ToneMap(radiance.Data(), pixels, wavelengthsInNm, exposure, curve, rgb->GetPointer(0));
   // SetScalars() would remove an array that is active.
   output->GetPointData()->AddArray(rgb);
   output->GetPointData()->SetActiveScalars("RGB");

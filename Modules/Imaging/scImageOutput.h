@@ -7,6 +7,7 @@
 #define scImageOutput_h
 
 #include "scScatteringImage.h"
+#include "scToneMap.h"
 
 #include <vector>
 
@@ -26,7 +27,8 @@ void WritePixels(const ScatteringImage& image, vtkPointData* points);
  */
 double FindExposure(vtkImageData* image, const std::vector<double>& wavelengthsInNm);
 /// Add "RGB", the active scalars, of the "Radiance" of an image to @p output, and field data "Exposure".
-void WriteRgb(vtkImageData* image, const std::vector<double>& wavelengthsInNm, double exposure, vtkImageData* output);
+void WriteRgb(vtkImageData* image, const std::vector<double>& wavelengthsInNm, double exposure, ToneCurve curve,
+  vtkImageData* output);
 void WriteCamera(vtkCamera* camera, vtkFieldData* field);
 
 } // namespace shadowcones

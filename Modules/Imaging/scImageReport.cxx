@@ -21,6 +21,7 @@ struct PixelCounts
 {
   vtkIdType Pixels = 0;
   vtkIdType Bright = 0;    ///< with light of any kind
+  vtkIdType OnSurfaces = 0; ///< whose ray meets one
   vtkIdType InMedium = 0;  ///< whose ray loses light in the medium
   vtkIdType Missed = 0;    ///< Guided: sampling ended above the error goal
   double WorstError = 0.0; ///< of those
@@ -38,6 +39,7 @@ PixelCounts CountPixels(const ScatteringImage& image, const ScatteringOptions& o
     const auto any = [first, last](const std::vector<float>& values, auto is)
     { return std::any_of(values.begin() + first, values.begin() + last, is); };
     counts.Bright += any(image.Radiance, [](float value) { return value > 0.0f; }) ? 1 : 0;
+    counts.OnSurfaces += image.Depth[pixel] >= 0.0f ? 1 : 0;
     counts.InMedium += any(image.Transmittance, [](float value) { return value < 1.0f; }) ? 1 : 0;
     if (options.RelativeErrorGoal > 0.0 && image.SampleCount[pixel] >= nearlyAll * options.MaximumSamples &&
       image.RelativeError[pixel] > goalSlack * options.RelativeErrorGoal)
@@ -100,6 +102,11 @@ void ReportImage(const ImageScene& scene, const ScatteringImage& image, bool who
   {
     warnings.Add(
       GoalNotMet(counts.InMedium, counts.Missed, options.RelativeErrorGoal, counts.WorstError, options.MaximumSamples));
+  }
+  if (options.RelativeErrorGoal > 0.0)
+  {
+    warnings.Add(SurfaceGoalNotMet(counts.OnSurfaces, image.NumberOfShortPixels, options.RelativeErrorGoal,
+      image.WorstSurfaceError, options.MaximumSamples));
   }
   warnings.Add(ThickSteps(image.NumberOfThickRays, counts.Pixels, image.MarchOpticalDepth, options.NumberOfSteps));
   if (whole)

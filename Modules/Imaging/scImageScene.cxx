@@ -165,6 +165,11 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
     scene.Options.SurfaceReflectance = reflectance->Reflectance.Values;
   }
 
+  if (!ReadPointNormals(scene.Mesh, scene.Options.SurfaceNormals, error))
+  {
+    return false;
+  }
+
   scene.HasCones = inputs.Cones && mode != ScatteringMode::BruteForce;
   if (scene.HasCones && !ReadConeSet(inputs.Cones, scene.Cones, error))
   {

@@ -113,6 +113,15 @@ void vtkScatteringImageFilter::SetExposure(double exposure)
   }
 }
 
+void vtkScatteringImageFilter::SetToneCurve(int curve)
+{
+  if (this->ToneCurve != curve)
+  {
+    this->ToneCurve = curve;
+    this->Superclass::Modified();
+  }
+}
+
 vtkMTimeType vtkScatteringImageFilter::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
@@ -169,6 +178,7 @@ std::string vtkScatteringImageFilter::CheckParameters() const
     InRange("NumberOfEdgeSamples", this->NumberOfEdgeSamples, 1, 1024),
     { "Reflectance", this->Reflectance, this->Reflectance >= 0.0 && this->Reflectance <= 1.0, "in 0..1" },
     { "ConeLength", this->ConeLength, this->ConeLength >= 0.0, "0 (not cut) or above" },
+    OneOf("ToneCurve", this->ToneCurve, { "Linear", "Filmic" }),
     { "Exposure", this->Exposure, isBetween(this->Exposure, 0.0, HUGE_VAL), "above 0 and finite" },
   });
   if (fault.empty() &&
@@ -306,7 +316,8 @@ int vtkScatteringImageFilter::RequestData(
     kept.Exposure = FindExposure(kept.Pixels, kept.Wavelengths);
   }
   output->ShallowCopy(kept.Pixels);
-  WriteRgb(kept.Pixels, kept.Wavelengths, this->AutoExposure ? kept.Exposure : this->Exposure, output);
+  WriteRgb(kept.Pixels, kept.Wavelengths, this->AutoExposure ? kept.Exposure : this->Exposure,
+    static_cast<shadowcones::ToneCurve>(this->ToneCurve), output);
   warnings.Add(this->AutoExposure ? UnusedExposure(this->Exposure) : std::string());
   warnings.Say(this);
   return 1;
@@ -341,6 +352,7 @@ void vtkScatteringImageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConeLength: " << this->ConeLength << "\n";
   os << indent << "AutoExposure: " << (this->AutoExposure ? "On" : "Off") << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "ToneCurve: " << this->ToneCurve << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfRaysSent: " << this->NumberOfRaysSent << "\n";
   os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";

@@ -23,15 +23,19 @@
  * BruteForce, Medium and Fast halve intervals of the march where the intensity differs too much between their ends,
  * over fresh stratified points of the light at every node.
  *
- * Surfaces are diffuse and alike on both sides, lit directly by the light. Their shadows are traced with rays, in
+ * Surfaces are diffuse and alike on both sides, lit directly by the light: what nothing hides by quadrature, without
+ * noise, and where something may be in the way with as many rays as RelativeErrorGoal asks for. Where the mesh has point
+ * data "Normals" they are shaded with them, and rays start from the curved surface that these describe (Hanika, "Hacking
+ * the Shadow Terminator", 2021): the shadow that a body casts on itself ends smoothly. Their shadows are traced with rays, in
  * Medium, Guided and Volume only where cones (without a cone set: marked points of the volume) reach. In Fast they are
  * dark inside the cones of *other* occluders than their own; in Soft their shadow is that of the grid one cell above.
  * There is no multiple scattering and no light from surface to surface.
  *
  * Input ports:
  * - 0, vtkPolyData: the mesh that casts and receives shadows; polygons and strips. Cell data "OccluderId" (int, 1
- *   component, optional), "Reflectance" (1 component or one a wavelength sample, 0..1, optional). It may be empty: the
- *   image then has no surfaces. Fast, Soft and Volume work without it.
+ *   component, optional), "Reflectance" (1 component or one a wavelength sample, 0..1, optional). Point data "Normals",
+ *   else the active normals (3 components, any length, optional; turned to the camera's side; of length 0 or below
+ *   their triangle: not used). It may be empty: the image then has no surfaces. Fast, Soft and Volume work without it.
  * - 1, vtkPolyData: the lights, from vtkAreaLightSource or any mesh of polygons, which emit along their normals; one a
  *   connection, or a block of a composite. What several lights send adds up; samples are taken for each of them, and
  *   each has its own cones ("LightId") and its own component of a visibility volume. A lamp hides no other. Field
@@ -63,9 +67,14 @@
  *   BruteForce, without the error of its shadows. 0 where nothing scatters; 1 where InScattering is 0 because no sample
  *   saw any light, of which there may be some. Errors of several lights are added as they
  *   are, since the lights take the same random numbers: each meets RelativeErrorGoal, and so does their sum.
+ * - "SurfaceRelativeError" (float): one standard error of SurfaceRadiance over its value, mean over wavelengths: of the
+ *   shadow rays, with what they may have missed where all of them agree, and of the quadrature of unshadowed light. Where
+ *   no cone reaches (Guided, Volume; in Volume without cones: no mark) it is that of the quadrature. -1 in Fast and
+ *   Soft, whose shadows of surfaces have an unknown error. 0 where there is no surface, or none that faces a light; 1
+ *   where SurfaceRadiance is 0 because no sample saw any light. Of several lights as "RelativeError".
  * - "SampleCount" (int): light samples taken for the medium term; in Volume and Soft places of the grid read.
- * - "RGB" (unsigned char, 3 components, the active scalars): Radiance times the exposure as sRGB; equal energy is white,
- *   and what is negative within its error black.
+ * - "RGB" (unsigned char, 3 components, the active scalars): Radiance times the exposure through ToneCurve as sRGB; equal
+ *   energy is white, and what is negative within its error black.
  *
  * Field data: "LightFingerprint" (unsigned 64-bit, one value a light), "Mode" (int), "Seed" (int),
  * "RelativeErrorGoal" (double), "NumberOfOcclusionRays" (vtkIdType; of this
@@ -76,7 +85,7 @@
  * "LightWavelengths" (double, nm, one tuple a wavelength sample), "Exposure" (double; that was used).
  *
  * The last image is kept for another exposure: its arrays are those of the output, which costs no memory while that lives
- * (4 bytes for each wavelength of four arrays and 12 more a pixel: 124 bytes with seven wavelengths).
+ * (4 bytes for each wavelength of four arrays and 16 more a pixel: 128 bytes with seven wavelengths).
  *
  * The bytes are the same for any number of threads and for any division into extents.
  *
@@ -134,6 +143,12 @@ public:
     BlasiSchlick = 1,
     HenyeyGreenstein = 2,
     Rayleigh = 3
+  };
+
+  enum ToneCurveType
+  {
+    Linear = 0,
+    Filmic = 1
   };
 
   ///@{
@@ -210,21 +225,23 @@ public:
 
   ///@{
   /**
-   * Guided: a pixel takes as many samples as make the "RelativeError" of its medium term about this, 1.5 times at most,
-   * or MaximumSamples. In pixels that are much darker than what the image shows it is a share of a tenth of that
-   * image's mean brightness. Default: 0.01. Valid: 0 and above; 0 takes MaximumSamples in every pixel that a cone
-   * reaches.
+   * A pixel takes as many samples as make the "RelativeError" of its medium term (Guided) and the "SurfaceRelativeError" of
+   * its surfaces (every mode but Fast and Soft) about this, or MaximumSamples: so "Radiance" has it too. The medium's exceeds
+   * it by 1.5 times at most. In pixels that are much darker than what the image shows it is a share of a tenth of that
+   * image's mean brightness; surfaces of which no ray sees the light may err by this share of what they would show without
+   * shadow. Default: 0.01. Valid: 0 and above; 0 takes MaximumSamples in every pixel that a cone reaches.
    */
   vtkSetMacro(RelativeErrorGoal, double);
-  vtkGetMacro(RelativeErrorGoal, double); ///< Guided: the "RelativeError" of the medium term to reach in each pixel.
+  vtkGetMacro(RelativeErrorGoal, double); ///< The relative error of medium term and surfaces to reach in each pixel.
   ///@}
 
   ///@{
   /**
-   * Guided: light samples of a pixel, at most, each with one occlusion ray. Default: 1024. Valid: at least 1.
+   * Light samples of a pixel, at most, each with one occlusion ray: of its medium term (Guided), and of each of its surfaces.
+   * Default: 1024. Valid: at least 1.
    */
   vtkSetMacro(MaximumSamples, int);
-  vtkGetMacro(MaximumSamples, int); ///< Guided: light samples of a pixel, at most.
+  vtkGetMacro(MaximumSamples, int); ///< Light samples of a pixel, at most.
   ///@}
 
   ///@{
@@ -367,10 +384,11 @@ public:
 
   ///@{
   /**
-   * Stratified light points for a surface. Default: 16. Valid: 0..65536; 0 makes surfaces black.
+   * Fewest light points for a surface that shadow may reach: half of them in a look that decides how many more
+   * RelativeErrorGoal needs. Default: 16. Valid: 0..65536; 0 makes surfaces black.
    */
   vtkSetMacro(NumberOfSurfaceLightSamples, int);
-  vtkGetMacro(NumberOfSurfaceLightSamples, int); ///< Light points for a surface.
+  vtkGetMacro(NumberOfSurfaceLightSamples, int); ///< Fewest light points for a surface.
   ///@}
 
   ///@{
@@ -431,6 +449,17 @@ public:
    */
   virtual void SetExposure(double exposure);
   vtkGetMacro(Exposure, double); ///< Exposure by hand. The one that was used is in the output's field data "Exposure".
+  ///@}
+
+  ///@{
+  /**
+   * What becomes of red, green and blue before they are encoded as sRGB: see vtkToneMapRadiance. Changing it renders nothing
+   * anew. Default: Linear.
+   */
+  virtual void SetToneCurve(int curve);
+  vtkGetMacro(ToneCurve, int); ///< 0 Linear, 1 Filmic.
+  void SetToneCurveToLinear() { this->SetToneCurve(Linear); } ///< Brightness as it is, up to white.
+  void SetToneCurveToFilmic() { this->SetToneCurve(Filmic); } ///< Highlights are rolled off.
   ///@}
 
   ///@{
@@ -519,6 +548,7 @@ private:
   double ConeLength = 0.0;
   bool AutoExposure = true;
   double Exposure = 1.0;
+  int ToneCurve = Linear;
   int Seed = 1;
 
   vtkTimeStamp SceneTime; // when a parameter other than the exposure was set

@@ -4,6 +4,7 @@
 #include "scFilterRun.h"
 #include "scImageOutput.h"
 #include "scLightData.h"
+#include "scParameterRanges.h"
 #include "scWarnings.h"
 
 #include "vtkDataArray.h"
@@ -69,6 +70,13 @@ int vtkToneMapRadiance::RequestData(
     vtkErrorMacro("Exposure is " << this->Exposure << ": it must be above 0 and finite.");
     return 0;
   }
+  const std::string curve =
+    shadowcones::FirstOutOfRange({ shadowcones::OneOf("ToneCurve", this->ToneCurve, { "Linear", "Filmic" }) });
+  if (!curve.empty())
+  {
+    vtkErrorMacro(<< curve);
+    return 0;
+  }
   int extent[6];
   outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   const vtkIdType points = input ? input->GetNumberOfPoints() : 0;
@@ -94,7 +102,7 @@ int vtkToneMapRadiance::RequestData(
       exposure = shadowcones::FindExposure(input, wavelengths);
     }
     output->ShallowCopy(input);
-    shadowcones::WriteRgb(input, wavelengths, exposure, output);
+    shadowcones::WriteRgb(input, wavelengths, exposure, static_cast<shadowcones::ToneCurve>(this->ToneCurve), output);
   }
   catch (const std::exception& exception)
   {
@@ -113,4 +121,5 @@ void vtkToneMapRadiance::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "AutoExposure: " << (this->AutoExposure ? "On" : "Off") << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
+  os << indent << "ToneCurve: " << this->ToneCurve << "\n";
 }

@@ -4,7 +4,8 @@
  * @brief A picture of spectral radiance: "RGB" from "Radiance", exposed by itself or by hand.
  *
  * Each pixel's spectrum becomes linear sRGB by the colour-matching functions of CIE 1931, so that equal energy is white; it is
- * multiplied by the exposure and encoded with the curve of sRGB. 0 and less is black, 1 and more is full.
+ * multiplied by the exposure, goes through the tone curve and is encoded as sRGB. 0 and less is black, and with the linear
+ * curve 1 and more is full.
  *
  * With AutoExposure white is the 99th percentile of the luminance of "InScattering" + "SurfaceRadiance": a lamp that the camera
  * sees does not darken what it lights. An image that lacks one of them is exposed by "Radiance" alone, its lamp included. Where
@@ -39,6 +40,12 @@ public:
   vtkTypeMacro(vtkToneMapRadiance, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum ToneCurveType
+  {
+    Linear = 0,
+    Filmic = 1
+  };
+
   ///@{
   /**
    * Find the exposure from the image, as described above. Off: Exposure is used. Default: on.
@@ -58,6 +65,19 @@ public:
   vtkGetMacro(Exposure, double); ///< Exposure by hand. The one that was used is in the output's field data "Exposure".
   ///@}
 
+  ///@{
+  /**
+   * What becomes of red, green and blue before they are encoded as sRGB. Linear: nothing; what is brighter than white is cut.
+   * Filmic: the fit of K. Narkowicz ("ACES Filmic Tone Mapping Curve", 2015) to the curve of the Academy Color Encoding System,
+   * (x (2.51 x + 0.03)) / (x (2.43 x + 0.59) + 0.14): what AutoExposure makes white is light grey (0.80), white begins at 7.2 times
+   * that, so that lamps and what is near them keep their shape. Default: Linear.
+   */
+  vtkSetMacro(ToneCurve, int);
+  vtkGetMacro(ToneCurve, int); ///< 0 Linear, 1 Filmic.
+  void SetToneCurveToLinear() { this->SetToneCurve(Linear); } ///< Brightness as it is, up to white.
+  void SetToneCurveToFilmic() { this->SetToneCurve(Filmic); } ///< Highlights are rolled off.
+  ///@}
+
 protected:
   vtkToneMapRadiance() = default;
   ~vtkToneMapRadiance() override = default;
@@ -72,6 +92,7 @@ private:
 
   bool AutoExposure = true;
   double Exposure = 1.0;
+  int ToneCurve = Linear;
 };
 
 #endif

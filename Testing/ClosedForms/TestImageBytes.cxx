@@ -73,6 +73,7 @@ void ExpectPart(const ScatteringImage& part, const Extent& extent, const Scatter
   EXPECT_TRUE(part.Transmittance == Cut(image.Transmittance, whole, extent));
   EXPECT_TRUE(part.Depth == Cut(image.Depth, whole, extent));
   EXPECT_TRUE(part.RelativeError == Cut(image.RelativeError, whole, extent));
+  EXPECT_TRUE(part.SurfaceRelativeError == Cut(image.SurfaceRelativeError, whole, extent));
   EXPECT_TRUE(part.SampleCount == Cut(image.SampleCount, whole, extent));
 }
 

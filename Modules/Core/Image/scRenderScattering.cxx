@@ -10,7 +10,6 @@
 #include "scVisibleLight.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -35,9 +34,12 @@ void Allocate(const std::array<int, 4>& extent, std::size_t wavelengths, Scatter
   image.RelativeError.assign(pixels, 0.0f);
   image.MediumError.assign(pixels, 0.0f);
   image.SampleCount.assign(pixels, 0);
+  image.SurfaceRelativeError.assign(pixels, 0.0f);
   image.NumberOfOcclusionRays = 0;
   image.NumberOfThickRays = 0;
   image.MarchOpticalDepth = 0.0;
+  image.NumberOfShortPixels = 0;
+  image.WorstSurfaceError = 0.0;
 }
 
 /// One a light; none where the camera is not to see them.
@@ -211,7 +213,7 @@ bool ImageRenderer::RenderMedia(const PrimaryHits& hits, const Monitor& monitor,
 /// Surfaces, what is seen of the lights, and the sum of all.
 bool ImageRenderer::Shade(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const
 {
-  std::atomic<vtkIdType> occlusionRays{ 0 };
+  std::mutex gathering;
   const int columns = image.Extent[1] - image.Extent[0] + 1;
   const bool finished = ParallelFor(static_cast<vtkIdType>(image.Depth.size()), monitor,
     [&](vtkIdType begin, vtkIdType end)
@@ -223,9 +225,11 @@ bool ImageRenderer::Shade(const PrimaryHits& hits, const Monitor& monitor, Scatt
         const auto j = image.Extent[2] + static_cast<int>(index / columns);
         shader.Shade(i, j);
       }
-      occlusionRays += shader.NumberOfOcclusionRays();
+      const std::lock_guard<std::mutex> lock(gathering);
+      image.NumberOfOcclusionRays += shader.NumberOfOcclusionRays();
+      image.NumberOfShortPixels += shader.NumberOfShortPixels();
+      image.WorstSurfaceError = std::max(image.WorstSurfaceError, shader.WorstError());
     });
-  image.NumberOfOcclusionRays += occlusionRays;
   return finished;
 }
 

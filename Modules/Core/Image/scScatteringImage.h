@@ -32,11 +32,15 @@ struct ScatteringImage
   std::vector<float> RelativeError;   ///< one standard error of InScattering over its value (mean over wavelengths); -1: not known
   std::vector<float> MediumError;     ///< the same, not over its value, which may be 0; -1: not known
   std::vector<int> SampleCount;       ///< light samples taken for the medium term
+  std::vector<float> SurfaceRelativeError; ///< one standard error of SurfaceRadiance over its value; -1: not known
   vtkIdType NumberOfOcclusionRays = 0; ///< rays towards the light, medium and surfaces together
   /// BruteForce, Medium and Fast: rays that optically thick steps may make too bright by more than half a per cent, and
   /// the largest optical depth of such a step.
   vtkIdType NumberOfThickRays = 0;
   double MarchOpticalDepth = 0.0;
+  /// Pixels whose surfaces miss the error goal for want of samples, and the largest relative error of these.
+  vtkIdType NumberOfShortPixels = 0;
+  double WorstSurfaceError = 0.0;
 
   /// Where a pixel of the whole image is in the arrays.
   std::size_t IndexOf(int i, int j) const

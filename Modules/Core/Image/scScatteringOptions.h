@@ -43,13 +43,15 @@ struct ScatteringOptions
   int MaximumHalvings = 3; ///< times an interval may be halved, 0..16
   double IntensityThreshold = 0.1; ///< halve where the ends differ by more than this share of the ray's largest value
   int NumberOfLightSamples = 16;   ///< fresh stratified light points per march sample, 1..65536
-  /// Per surface point, shared by the rays of a pixel at an edge, 0..65536; 0: surfaces are black. Guided, Soft and
-  /// Volume integrate light that nothing can hide by a fixed rule instead, which has no noise.
+  /// Fewest light points for a surface, half of them in a look that decides on more, 0..65536; 0: surfaces are black.
+  /// Light that nothing can hide takes none: it comes from a rule, which has no noise.
   int NumberOfSurfaceLightSamples = 16;
   /// Guided: a pixel takes as many samples as make its "RelativeError" about this, at most 1.5 times; one that is darker
-  /// than a tenth of what the image shows on average, as many as that tenth would. 0: MaximumSamples for every pixel.
+  /// than a tenth of what the image shows on average, as many as that tenth would. In all modes that trace the shadows
+  /// of surfaces the same holds for their "SurfaceRelativeError"; a surface that is all dark may err by as much as if it
+  /// were lit. 0: MaximumSamples for every pixel.
   double RelativeErrorGoal = 0.01;
-  int MaximumSamples = 1024; ///< Guided: light samples of a pixel, at most; at least 1
+  int MaximumSamples = 1024; ///< light samples of a pixel, at most, for the medium (Guided) and for surfaces; at least 1
   /// 16 times so many camera rays find the surfaces of a pixel at an edge, 1..1024; 1: no smoothing.
   int NumberOfEdgeSamples = 4;
   bool LightVisible = true; ///< the camera sees the light itself
@@ -57,6 +59,7 @@ struct ScatteringOptions
   double Reflectance = 0.5;              ///< of diffuse surfaces where SurfaceReflectance is empty, 0..1
   std::vector<float> SurfaceReflectance; ///< per triangle, ReflectanceComponents values each (1 or one per wavelength)
   int ReflectanceComponents = 1;
+  std::vector<float> SurfaceNormals; ///< per point of the mesh, 3 values each, any length; empty, or 0: the triangles'
   std::uint64_t Seed = 1;
 };
 

@@ -6,20 +6,26 @@
 namespace shadowcones
 {
 
+namespace
+{
+bool IsSinglePlace(const Light& light)
+{
+  return light.Shape == LightShape::Point || (light.Shape == LightShape::Sun && !(light.Radius > 0.0)) ||
+    (light.Shape == LightShape::Mesh && light.Triangles.empty() && light.Vertices.size() == 1);
+}
+} // anonymous namespace
+
 ShadingLight::ShadingLight(const ScatteringScene& scene, const ScatteringOptions& options)
   : Scene(scene)
   , Occlusion(scene, options)
   , Rules(scene.Occluders.RulesFor(FlatFaceOf(scene.Light)))
-  , UsesRule(!IsMarched(options.Mode) && scene.Light.Shape != LightShape::Mesh)
-  , Rule(scene.Light, 0)
-  , NearRule(scene.Light, 2)
+  , IsSingle(IsSinglePlace(scene.Light))
 {
-}
-
-const LightRule& ShadingLight::RuleAt(const Vector3& point) const
-{
-  const bool planar = this->Scene.Light.Shape == LightShape::Disc || this->Scene.Light.Shape == LightShape::Rectangle;
-  return planar && !this->Rule.IsByArea(point) ? this->NearRule : this->Rule;
+  const int levels = scene.Light.Shape == LightShape::Mesh ? 0 : (this->IsSingle ? 1 : LightRule::NumberOfLevels);
+  for (int level = 0; level < levels; ++level)
+  {
+    this->Levels.push_back(std::make_unique<LightRule>(scene.Light, level));
+  }
 }
 
 } // namespace shadowcones

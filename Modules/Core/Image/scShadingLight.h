@@ -12,6 +12,9 @@
 #include "scScatteringScene.h"
 #include "scSurfaceOcclusion.h"
 
+#include <memory>
+#include <vector>
+
 namespace shadowcones
 {
 
@@ -23,14 +26,12 @@ struct ShadingLight
   const ScatteringScene& Scene;
   const SurfaceOcclusion Occlusion;
   const RayRules Rules; ///< for what is flush with the light
-  /// Where nothing can hide the light, the modes that are not bound to the bytes of BruteForce integrate without noise.
-  const bool UsesRule;
-  /// The rule for light that nothing hides from a surface point.
-  const LightRule& RuleAt(const Vector3& point) const;
-
-private:
-  const LightRule Rule;
-  const LightRule NearRule; ///< close to a planar light, where the surface's horizon may cut it
+  /// All of it comes from one place: one ray says whether it is seen.
+  const bool IsSingle;
+  /// For light that nothing hides, ever finer; none for mesh lights, whose points are too many.
+  std::vector<std::unique_ptr<const LightRule>> Levels;
+  /// Surfaces that are darker, as a mean over wavelengths, are sampled as if they were this bright.
+  double Darkest = 0.0;
 };
 
 } // namespace shadowcones

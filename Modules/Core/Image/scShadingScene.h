@@ -7,7 +7,6 @@
 #define scShadingScene_h
 
 #include "scExtinctionGroups.h"
-#include "scLightStrata.h"
 #include "scScatteringOptions.h"
 #include "scScatteringScene.h"
 #include "scShadingLight.h"
@@ -30,8 +29,6 @@ struct ShadingScene
   const ScatteringOptions& Options;
   const ExtinctionGroups Groups; ///< their ScatteredRadiance is that of the first light
   const std::vector<VisibleLight>& Visible;
-  const LightStrata Strata;     ///< of a pixel with one ray
-  const LightStrata EdgeStrata; ///< of each ray of a pixel at an edge: two of them have about as many as Strata
   std::vector<std::unique_ptr<const ShadingLight>> Lights;
 };
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scSurfaceShader.h"
 
-#include "scConstants.h"
-#include "scLitKernel.h"
-
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace shadowcones
 {
@@ -13,231 +11,125 @@ namespace shadowcones
 SurfaceShader::SurfaceShader(const ShadingScene& shading, const PrimaryHits& hits, ScatteringImage& image)
   : Shading(shading)
   , Hits(hits)
-  , Scene(shading.Scenes.front())
   , Options(shading.Options)
   , Groups(shading.Groups)
   , Image(image)
   , OpticalDepth(shading.Scenes.front().Medium)
+  , Points(shading.Scenes.front(), shading.Options, shading.Groups)
   , Surface(shading.Groups.GroupOf.size())
   , SeenLight(shading.Groups.GroupOf.size())
-  , Sums(static_cast<std::size_t>(shading.Groups.Count()))
 {
-  for (const ScatteringScene& scene : shading.Scenes)
+  for (const std::unique_ptr<const ShadingLight>& light : shading.Lights)
   {
-    this->Samplers.emplace_back(scene.Light, shading.Options.Sampling);
+    this->Lights.push_back(std::make_unique<SurfaceLight>(*light, this->Options, this->Groups));
+    this->Darkest += light->Darkest;
   }
 }
 
-double SurfaceShader::SigmaT(std::size_t wavelength) const
+vtkIdType SurfaceShader::NumberOfOcclusionRays() const
 {
-  return this->Groups.SigmaT[static_cast<std::size_t>(this->Groups.GroupOf[wavelength])];
+  return std::accumulate(this->Lights.begin(), this->Lights.end(), vtkIdType(0),
+    [](vtkIdType sum, const std::unique_ptr<SurfaceLight>& light) { return sum + light->NumberOfOcclusionRays(); });
 }
 
 void SurfaceShader::Shade(int i, int j)
 {
-  const std::size_t index = this->Image.IndexOf(i, j);
-  const std::uint64_t pixel = PixelIndex(this->Options, i, j);
-  const Ray ray = this->Hits.RayOf(i, j);
-  const PrimaryHit& hit = this->Hits.At(i, j);
-
   std::fill(this->Surface.begin(), this->Surface.end(), 0.0);
   std::fill(this->SeenLight.begin(), this->SeenLight.end(), 0.0);
+  this->StopsShort = false;
   this->Hits.RaysOf(i, j, this->Rays);
-  const bool isEdge = this->Rays.size() > 1;
+  this->FindParts();
+  double error = 0.0;
+  const PixelShift shift(i, j);
+  for (std::size_t light = 0; light < this->Lights.size(); ++light)
+  {
+    // The lights' samples are the same ones, and so may be their errors.
+    error += this->AddSurfaces(light, shift);
+  }
+  for (const PixelRay& part : this->Rays)
+  {
+    if (part.Hit.LightsSeen)
+    {
+      this->AddSeenLight(part.Line, part.Hit, part.Fraction);
+    }
+  }
+  this->Write(this->Image.IndexOf(i, j), this->Hits.RayOf(i, j), this->Hits.At(i, j), error);
+}
+
+/// List the surfaces of the pixel's rays.
+void SurfaceShader::FindParts()
+{
+  this->NumberOfParts = 0;
+  if (this->Options.NumberOfSurfaceLightSamples == 0)
+  {
+    return;
+  }
+  this->Parts.resize(std::max(this->Parts.size(), this->Rays.size()));
   for (std::size_t k = 0; k < this->Rays.size(); ++k)
   {
-    const PixelRay& part = this->Rays[k];
-    this->AddRay(part.Line, part.Hit, isEdge ? this->Shading.EdgeStrata : this->Shading.Strata, pixel,
-      isEdge ? k + 1 : 0, part.Fraction);
-  }
-
-  this->Image.Depth[index] = hit.HasSurface() ? static_cast<float>(hit.T) : -1.0f;
-  const double depth = this->OpticalDepth.TowardsFromOutside(ray.Origin, ray.Direction, hit.T);
-  for (std::size_t g = 0; g < this->Sums.size(); ++g)
-  {
-    this->Sums[g] = TransmittanceOver(this->Groups.SigmaT[g], depth);
-  }
-  const std::size_t wavelengths = this->Groups.GroupOf.size();
-  for (std::size_t k = 0; k < wavelengths; ++k)
-  {
-    const std::size_t value = index * wavelengths + k;
-    this->Image.Transmittance[value] =
-      static_cast<float>(this->Sums[static_cast<std::size_t>(this->Groups.GroupOf[k])]);
-    this->Image.SurfaceRadiance[value] = static_cast<float>(this->Surface[k]);
-    this->Image.Radiance[value] = this->Image.InScattering[value] + this->Image.SurfaceRadiance[value];
-    this->Image.Radiance[value] += static_cast<float>(this->SeenLight[k]);
-  }
-}
-
-void SurfaceShader::AddRay(const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, std::uint64_t pixel,
-  std::uint64_t key, double fraction)
-{
-  if (hit.HasSurface() && strata.Count() > 0)
-  {
-    // Keys of march nodes end in 16 bits below the number of steps: these are no node's.
-    this->AddSurface(ray, hit, strata, RandomStream(HashSeed(this->Options.Seed, pixel), ~key), fraction);
-  }
-  if (hit.LightsSeen)
-  {
-    this->AddLight(ray, hit, fraction);
-  }
-}
-
-/// Direct light on a Lambertian surface, both sides alike, seen through the medium.
-void SurfaceShader::AddSurface(
-  const Ray& ray, const PrimaryHit& hit, const LightStrata& strata, RandomStream random, double fraction)
-{
-  const OccluderScene& occluders = this->Scene.Occluders;
-  const Vector3 normal = NormalTowards(occluders, ray, hit);
-  this->Point = ray.Origin + hit.T * ray.Direction + RoundingAlong(ray.Origin, hit.T) * normal;
-  this->PointInside = this->Scene.Medium.Bounds.Contains(this->Point);
-  this->CameraOpticalDepth = this->OpticalDepth.TowardsFromOutside(ray.Origin, ray.Direction, hit.T);
-  for (std::size_t light = 0; light < this->Shading.Lights.size(); ++light)
-  {
-    const ConeHierarchy* cones = this->Shading.Scenes[light].Cones;
-    if (this->Options.Mode != ScatteringMode::Fast || !this->InForeignCone(cones, ray, hit))
+    const PixelRay& ray = this->Rays[k];
+    if (ray.Hit.HasSurface())
     {
-      this->AddSurfaceLight(light, normal, hit.Triangle, strata, random, fraction);
+      Part& part = this->Parts[this->NumberOfParts++];
+      part.Fraction = ray.Fraction;
+      part.Key = k;
+      part.Source = &ray;
+      this->Points.Find(ray.Line, ray.Hit, part.Point);
     }
   }
 }
 
-void SurfaceShader::AddSurfaceLight(std::size_t light, const Vector3& normal, vtkIdType triangle,
-  const LightStrata& strata, RandomStream random, double fraction)
+double SurfaceShader::AddSurfaces(std::size_t light, const PixelShift& shift)
+{
+  SurfaceLight& lamp = *this->Lights[light];
+  const ShadingLight& shading = *this->Shading.Lights[light];
+  const int samples = (this->Options.NumberOfSurfaceLightSamples + 1) / 2;
+  double shown = 0.0;
+  for (std::size_t k = 0; k < this->NumberOfParts; ++k)
+  {
+    Part& part = this->Parts[k];
+    part.Lit = this->Options.Mode != ScatteringMode::Fast ||
+      !this->InForeignCone(shading.Scene.Cones, part.Source->Line, part.Source->Hit);
+    if (part.Lit)
+    {
+      lamp.Look(part.Point, samples, part.Key, shift, part.Estimate);
+      shown += part.Fraction * part.Estimate.Mean;
+    }
+  }
+
+  const double goal = this->Options.RelativeErrorGoal;
+  const double wanted = goal * std::max(shown, shading.Darkest);
+  double variance = 0.0;
+  for (std::size_t k = 0; k < this->NumberOfParts; ++k)
+  {
+    Part& part = this->Parts[k];
+    if (!part.Lit)
+    {
+      continue;
+    }
+    // Of the pixel's squared error every surface has its share; dark ones may err as much as if they were lit.
+    const double inTheDark = goal * part.Estimate.MeanLit;
+    lamp.Finish(part.Point, wanted * wanted / part.Fraction, inTheDark * inTheDark / part.Fraction, part.Key, shift,
+      part.Estimate);
+    this->AddPart(light, part);
+    this->StopsShort = this->StopsShort || part.Estimate.StopsShort;
+    variance += part.Fraction * part.Fraction * part.Estimate.Variance;
+  }
+  return std::sqrt(variance);
+}
+
+void SurfaceShader::AddPart(std::size_t light, const Part& part)
 {
   const ShadingLight& shading = *this->Shading.Lights[light];
-  const bool trace = shading.Occlusion.NeedsRays(this->Point);
-  std::fill(this->Sums.begin(), this->Sums.end(), 0.0);
-  if (!trace && shading.UsesRule)
-  {
-    this->AddRule(shading.RuleAt(this->Point), normal);
-  }
-  else
-  {
-    this->AddSamples(light, normal, strata, trace, random);
-  }
-
-  const double scale = fraction * shading.Occlusion.VisibleFraction(this->Point, normal) / Pi;
+  const double scale = part.Fraction * shading.Occlusion.VisibleFraction(part.Point.Position, part.Point.Facet);
   for (std::size_t k = 0; k < this->Surface.size(); ++k)
   {
-    const double irradiance =
-      shading.Scene.Light.Spectrum[k] * this->Sums[static_cast<std::size_t>(this->Groups.GroupOf[k])];
-    this->Surface[k] += scale * this->Reflectance(triangle, k) * irradiance;
+    this->Surface[k] += scale * part.Point.Throughput[k] * shading.Scene.Light.Spectrum[k] *
+      part.Estimate.Irradiance[static_cast<std::size_t>(this->Groups.GroupOf[k])];
   }
 }
 
-/// Add what a sample sends to the surface point, @p weight with the cosine to its normal; nothing is in the way.
-void SurfaceShader::AddLit(const Vector3& direction, double distance, double weight)
-{
-  if (!(weight > 0.0))
-  {
-    return;
-  }
-  const double depth = this->CameraOpticalDepth +
-    (this->PointInside ? this->OpticalDepth.Towards(this->Point, direction, distance)
-                       : this->OpticalDepth.TowardsFromOutside(this->Point, direction, distance));
-  for (std::size_t g = 0; g < this->Sums.size(); ++g)
-  {
-    this->Sums[g] += weight * TransmittanceOver(this->Groups.SigmaT[g], depth);
-  }
-}
-
-/// Add the light that nothing hides, without noise.
-void SurfaceShader::AddRule(const LightRule& rule, const Vector3& normal)
-{
-  if (!this->PointInside || !this->OpticalDepth.IsHomogeneous() || !rule.IsByArea(this->Point))
-  {
-    rule.ForEach(this->Point,
-      [&](const IncidentSample& sample)
-      { this->AddLit(sample.Direction, sample.Distance, sample.Weight * Dot(sample.Direction, normal)); });
-    return;
-  }
-  const LightPoints points = rule.AreaPoints();
-  const auto count = static_cast<std::size_t>(points.Count);
-  this->RuleValues.resize(3 * count);
-  float* weight = this->RuleValues.data();
-  float* cosine = weight + count;
-  float* leg = cosine + count;
-  // Of the surface's normal the cosine is asked, not of a ray's direction.
-  LookAtLight(points, rule.ViewFrom(this->Point, normal, this->Scene.Medium.Bounds), weight, cosine, leg);
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    weight[k] *= std::max(cosine[k], 0.0f);
-  }
-  for (std::size_t g = 0; g < this->Sums.size(); ++g)
-  {
-    const double sigmaT = this->Groups.SigmaT[g];
-    const float sum = SumAttenuated(weight, leg, points.Count, static_cast<float>(sigmaT));
-    this->Sums[g] += TransmittanceOver(sigmaT, this->CameraOpticalDepth) * static_cast<double>(sum);
-  }
-}
-
-/// Add stratified samples of the light, those that the mesh hides left out where @p trace.
-void SurfaceShader::AddSamples(
-  std::size_t light, const Vector3& normal, const LightStrata& strata, bool trace, RandomStream& random)
-{
-  LightSampler& sampler = this->Samplers[light];
-  sampler.MoveTo(this->Point);
-  const int count = strata.Count();
-  const double inverse = 1.0 / count;
-  for (int first = 0; first < count; first += LightBatch::Size)
-  {
-    const int size = std::min(count - first, LightBatch::Size);
-    std::uint64_t seen = this->DrawBatch(sampler, normal, strata, first, size, random);
-    if (trace)
-    {
-      seen &= ~this->Occluded(light, seen);
-    }
-    for (int s = 0; s < size; ++s)
-    {
-      if ((seen >> s) & 1u)
-      {
-        this->AddLit(this->Batch.Directions[s], this->Batch.Distances[s], inverse * this->Batch.Weights[s]);
-      }
-    }
-  }
-}
-
-/// Fill the batch; the answer has a bit for each sample that sends light to the surface if nothing is in the way.
-std::uint64_t SurfaceShader::DrawBatch(LightSampler& sampler, const Vector3& normal, const LightStrata& strata,
-  int first, int size, RandomStream& random)
-{
-  LightBatch& batch = this->Batch;
-  std::uint64_t lit = 0;
-  for (int s = 0; s < size; ++s)
-  {
-    const LightStrata::Point uv = strata.Draw(first + s, random);
-    const IncidentSample sample = sampler.Sample(uv.U, uv.V);
-    const double cosine = Dot(sample.Direction, normal);
-    batch.Directions[s] = sample.Direction;
-    batch.Distances[s] = sample.Distance;
-    batch.Weights[s] = sample.Weight * cosine;
-    lit |= static_cast<std::uint64_t>(sample.Weight > 0.0 && cosine > 0.0) << s;
-  }
-  return lit;
-}
-
-/// Which of the wanted samples of the batch does the mesh hide?
-std::uint64_t SurfaceShader::Occluded(std::size_t light, std::uint64_t wanted)
-{
-  LightBatch& batch = this->Batch;
-  const bool infinity = IsAtInfinity(this->Shading.Scenes[light].Light);
-  for (int s = 0; s < LightBatch::Size; ++s)
-  {
-    if ((wanted >> s) & 1u)
-    {
-      const Vector3 to = (infinity ? 1.0 : batch.Distances[s]) * batch.Directions[s];
-      batch.X[s] = to.X;
-      batch.Y[s] = to.Y;
-      batch.Z[s] = to.Z;
-      ++this->OcclusionRays;
-    }
-  }
-  return this->Scene.Occluders.OccludedFrom(
-    this->Point, batch.X, batch.Y, batch.Z, wanted, infinity, this->Shading.Lights[light]->Rules);
-}
-
-void SurfaceShader::AddLight(const Ray& ray, const PrimaryHit& hit, double fraction)
+void SurfaceShader::AddSeenLight(const Ray& ray, const PrimaryHit& hit, double fraction)
 {
   const double end = hit.T + RoundingAlong(ray.Origin, hit.T);
   for (std::size_t light = 0; light < this->Shading.Visible.size(); ++light)
@@ -252,7 +144,8 @@ void SurfaceShader::AddLight(const Ray& ray, const PrimaryHit& hit, double fract
     const double depth = this->OpticalDepth.TowardsFromOutside(ray.Origin, ray.Direction, t);
     for (std::size_t k = 0; k < this->SeenLight.size(); ++k)
     {
-      this->SeenLight[k] += fraction * scale * spectrum[k] * TransmittanceOver(this->SigmaT(k), depth);
+      const double sigmaT = this->Groups.SigmaT[static_cast<std::size_t>(this->Groups.GroupOf[k])];
+      this->SeenLight[k] += fraction * scale * spectrum[k] * TransmittanceOver(sigmaT, depth);
     }
   }
 }
@@ -264,24 +157,50 @@ bool SurfaceShader::InForeignCone(const ConeHierarchy* cones, const Ray& ray, co
   {
     return false;
   }
-  const OccluderScene& occluders = this->Scene.Occluders;
   const double probe = 4e-6 * hit.T;
   cones->Intersect(ray.Origin, ray.Direction, hit.T - probe, hit.T, this->Intervals, true);
-  const int own = occluders.Mesh().OccluderId(hit.Triangle);
+  const int own = this->Shading.Scenes.front().Occluders.Mesh().OccluderId(hit.Triangle);
   return std::any_of(this->Intervals.begin(), this->Intervals.end(),
     [own](const OccluderInterval& interval) { return interval.OccluderId != own; });
 }
 
-double SurfaceShader::Reflectance(vtkIdType triangle, std::size_t wavelength) const
+/// The pixel, whose centre's ray hits this; @p error of the surfaces' mean over wavelengths.
+void SurfaceShader::Write(std::size_t index, const Ray& ray, const PrimaryHit& hit, double error)
 {
-  const ScatteringOptions& options = this->Options;
-  if (options.SurfaceReflectance.empty())
+  ScatteringImage& image = this->Image;
+  image.Depth[index] = hit.HasSurface() ? static_cast<float>(hit.T) : -1.0f;
+  const double depth = this->OpticalDepth.TowardsFromOutside(ray.Origin, ray.Direction, hit.T);
+  const std::size_t wavelengths = this->Surface.size();
+  double mean = 0.0;
+  double radiance = 0.0;
+  for (std::size_t k = 0; k < wavelengths; ++k)
   {
-    return options.Reflectance;
+    const std::size_t value = index * wavelengths + k;
+    const double sigmaT = this->Groups.SigmaT[static_cast<std::size_t>(this->Groups.GroupOf[k])];
+    image.Transmittance[value] = static_cast<float>(TransmittanceOver(sigmaT, depth));
+    image.SurfaceRadiance[value] = static_cast<float>(this->Surface[k]);
+    image.Radiance[value] = image.InScattering[value] + image.SurfaceRadiance[value];
+    image.Radiance[value] += static_cast<float>(this->SeenLight[k]);
+    mean += this->Surface[k] / static_cast<double>(wavelengths);
+    radiance += image.Radiance[value] / static_cast<double>(wavelengths);
   }
-  const auto components = static_cast<std::size_t>(options.ReflectanceComponents);
-  return options
-    .SurfaceReflectance[static_cast<std::size_t>(triangle) * components + (components > 1 ? wavelength : 0)];
+  // An estimate of nothing may stand for something: it is wrong by all of it.
+  const double relative = mean > 0.0 ? error / mean : (error > 0.0 ? 1.0 : 0.0);
+  const bool isKnown = this->NumberOfParts == 0 ||
+    (this->Options.Mode != ScatteringMode::Fast && this->Options.Mode != ScatteringMode::Soft);
+  image.SurfaceRelativeError[index] = isKnown ? static_cast<float>(relative) : -1.0f;
+  this->CountIfShort(radiance, error);
+}
+
+void SurfaceShader::CountIfShort(double radiance, double error)
+{
+  constexpr double slack = 1.5;
+  const double relative = error / std::max({ radiance, this->Darkest, 1e-300 });
+  if (this->StopsShort && relative > slack * this->Options.RelativeErrorGoal)
+  {
+    ++this->ShortPixels;
+    this->Worst = std::max(this->Worst, relative);
+  }
 }
 
 } // namespace shadowcones

@@ -126,8 +126,22 @@ double ExposureOf(std::vector<double> luminances)
   return white > 0.0 ? 1.0 / white : 1.0;
 }
 
+double ApplyToneCurve(ToneCurve curve, double linear)
+{
+  constexpr double white = 7.25; // of Filmic; it begins at 7.242
+  if (!(linear > 0.0))
+  {
+    return 0.0;
+  }
+  if (curve == ToneCurve::Linear || linear > white)
+  {
+    return std::min(linear, 1.0);
+  }
+  return std::min(linear * (2.51 * linear + 0.03) / (linear * (2.43 * linear + 0.59) + 0.14), 1.0);
+}
+
 void ToneMap(const float* radiance, vtkIdType numberOfPixels, const std::vector<double>& wavelengths, double exposure,
-  unsigned char* rgb)
+  ToneCurve curve, unsigned char* rgb)
 {
   const auto matrix = SpectrumToLinearSrgb(wavelengths);
   const std::size_t count = wavelengths.size();
@@ -144,7 +158,7 @@ void ToneMap(const float* radiance, vtkIdType numberOfPixels, const std::vector<
           {
             linear += matrix[c][k] * spectrum[k];
           }
-          rgb[3 * i + c] = EncodeSrgb(exposure * linear);
+          rgb[3 * i + c] = EncodeSrgb(ApplyToneCurve(curve, exposure * linear));
         }
       }
     });

@@ -39,12 +39,24 @@ SHADOWCONESCORE_EXPORT void AppendLuminances(const std::array<int, 4>& extent, c
  */
 SHADOWCONESCORE_EXPORT double ExposureOf(std::vector<double> luminances);
 
+/// What becomes of linear red, green and blue before they are encoded as sRGB.
+enum class ToneCurve : int
+{
+  Linear = 0, ///< nothing: white from 1
+  /// The fit of K. Narkowicz ("ACES Filmic Tone Mapping Curve", 2015) to the curve of the Academy Color Encoding System:
+  /// 1 becomes 0.80, white begins at 7.2, dark tones gain contrast.
+  Filmic = 1
+};
+
+/// The curve at a value; 0 up to 0, 1 from white on.
+SHADOWCONESCORE_EXPORT double ApplyToneCurve(ToneCurve curve, double linear);
+
 /**
- * Bytes (red, green, blue a pixel) of exposure * radiance as sRGB: black up to 0, white from 1. @p radiance has one value a
- * wavelength of each pixel.
+ * Bytes (red, green, blue a pixel) of the curve of exposure * radiance as sRGB. @p radiance has one value a wavelength of
+ * each pixel.
  */
 SHADOWCONESCORE_EXPORT void ToneMap(const float* radiance, vtkIdType numberOfPixels,
-  const std::vector<double>& wavelengths, double exposure, unsigned char* rgb);
+  const std::vector<double>& wavelengths, double exposure, ToneCurve curve, unsigned char* rgb);
 
 } // namespace shadowcones
 

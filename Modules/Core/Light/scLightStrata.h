@@ -58,16 +58,22 @@ public:
       std::min(cell.V + cell.StepV * static_cast<double>(word & 0xFFFFFFFFu), belowOne) };
   }
 
-  /**
-   * Squared standard error of the mean of one value a cell. On a grid from mixed differences of 2 x 2 cells, which see
-   * neither a level nor a slope, else from differences of neighbours, which overrate slopes. 0 for fewer than two
-   * cells.
-   */
+  /// Squared standard error of the mean of one value a cell: see VarianceOfGrid().
   double VarianceOfMean(const double* values) const
   {
     const int count = this->Count();
-    const int columns = this->Columns;
-    const int rows = columns > 0 ? count / columns : 0;
+    const int columns = this->Columns > 0 ? this->Columns : count;
+    return VarianceOfGrid(values, columns > 0 ? count / columns : 0, columns);
+  }
+
+  /**
+   * Squared standard error of the mean of one value for each cell of a grid, in the order of a snake. From mixed
+   * differences of 2 x 2 cells, which see neither a level nor a slope; of a single row or column from differences of
+   * neighbours, which overrate slopes. 0 for fewer than two cells.
+   */
+  static double VarianceOfGrid(const double* values, int rows, int columns)
+  {
+    const int count = rows * columns;
     double squares = 0.0;
     if (rows < 2 || columns < 2)
     {

@@ -357,6 +357,55 @@ TEST(MeshData, APolygonThatCrossesItselfIsNamed)
     "polygons.");
 }
 
+TEST(MeshData, NormalsOfBlocks)
+{
+  const auto square = [](float x)
+  {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    SetPoints(data, { x, 0, 0, x + 1, 0, 0, x + 1, 1, 0, x, 1, 0 });
+    vtkNew<vtkCellArray> polys;
+    polys->InsertNextCell({ 0, 1, 2, 3 });
+    data->SetPolys(polys);
+    return data;
+  };
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, square(0.0f));
+  auto second = square(2.0f);
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (int k = 0; k < 4; ++k)
+  {
+    normals->InsertNextTuple3(k, 0.0, 2.0);
+  }
+  TriangleMesh mesh;
+  std::vector<float> values{ 1.0f };
+  std::string error;
+  blocks->SetBlock(1, second);
+  ASSERT_TRUE(ReadTriangles(blocks, mesh, error));
+  ASSERT_TRUE(ReadPointNormals(mesh, values, error));
+  EXPECT_TRUE(values.empty()) << "no block has any";
+
+  second->GetPointData()->AddArray(normals);
+  ASSERT_TRUE(ReadTriangles(blocks, mesh, error));
+  ASSERT_TRUE(ReadPointNormals(mesh, values, error));
+  const std::vector<float> expected{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 1, 0, 2, 2, 0, 2, 3, 0, 2 };
+  EXPECT_EQ(values, expected) << "none of the first block";
+  normals->SetName("Active");
+  second->GetPointData()->SetNormals(normals);
+  ASSERT_TRUE(ReadPointNormals(mesh, values, error));
+  EXPECT_EQ(values, expected);
+
+  normals->SetComponent(2, 1, NaN);
+  EXPECT_FALSE(ReadPointNormals(mesh, values, error));
+  EXPECT_EQ(error, "Point array \"Normals\" of the mesh is not finite at point 2.");
+  normals->SetNumberOfTuples(3);
+  EXPECT_FALSE(ReadPointNormals(mesh, values, error));
+  EXPECT_EQ(error,
+    "Point array \"Normals\" of the mesh has 3 tuples of 3 components for 4 points: it must have 3 components and one "
+    "tuple a point.");
+}
+
 TEST(MeshData, ReflectanceOfBlocks)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

@@ -174,6 +174,8 @@ TEST(Warnings, Images)
   ExpectSays(GoalNotMet(200, 50, 0.01, 0.25, 1024), "50 of 200 pixels (25 %)");
   ExpectSays(GoalNotMet(200, 50, 0.01, 0.25, 1024), "a relative error of 0.25: MaximumSamples, 1024");
   EXPECT_EQ(GoalNotMet(200, 2, 0.01, 0.25, 1024), "");
+  ExpectSays(SurfaceGoalNotMet(200, 50, 0.01, 0.25, 1024), "The surfaces of 50 of 200 pixels (25 %)");
+  EXPECT_EQ(SurfaceGoalNotMet(200, 2, 0.01, 0.25, 1024), "");
   ExpectSays(MediumBeyondVolume(0.125), "12.5 % of the medium");
   EXPECT_EQ(MediumBeyondVolume(0.0), "");
   ExpectSays(UnusedExposure(2.5), "Exposure is 2.5");

@@ -43,7 +43,7 @@ using namespace shadowcones::testsupport;
 constexpr int width = 12;
 constexpr int height = 10;
 constexpr const char* arrays[] = { "Radiance", "InScattering", "SurfaceRadiance", "Transmittance", "Depth",
-  "RelativeError", "SampleCount", "RGB" };
+  "RelativeError", "SampleCount", "RGB", "SurfaceRelativeError" };
 constexpr int allModes[] = { vtkScatteringImageFilter::BruteForce, vtkScatteringImageFilter::Medium,
   vtkScatteringImageFilter::Fast, vtkScatteringImageFilter::Guided, vtkScatteringImageFilter::Soft,
   vtkScatteringImageFilter::Volume };

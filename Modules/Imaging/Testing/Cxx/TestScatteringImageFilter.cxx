@@ -29,9 +29,10 @@ TEST_F(ScatteringImageFilter, OutputHoldsEveryDocumentedArray)
   EXPECT_EQ(extent[1], width - 1);
   EXPECT_EQ(extent[3], height - 1);
   EXPECT_EQ(extent[5], 0);
-  const int types[] = { VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_INT, VTK_UNSIGNED_CHAR };
-  const int components[] = { 7, 7, 7, 7, 1, 1, 1, 3 };
-  for (int i = 0; i < 8; ++i)
+  const int types[] = { VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_FLOAT, VTK_INT, VTK_UNSIGNED_CHAR,
+    VTK_FLOAT };
+  const int components[] = { 7, 7, 7, 7, 1, 1, 1, 3, 1 };
+  for (int i = 0; i < 9; ++i)
   {
     vtkDataArray* array = image->GetPointData()->GetArray(arrays[i]);
     ASSERT_NE(array, nullptr) << arrays[i];
@@ -213,6 +214,34 @@ TEST_F(ScatteringImageFilter, ReflectanceComesFromTheMesh)
   EXPECT_NEAR(Sum(this->Image(), "SurfaceRadiance"), 0.5 * half, 1e-5 * half);
 }
 
+TEST_F(ScatteringImageFilter, NormalsOfTheMeshShadeItsSurfaces)
+{
+  // Turned by 60 degrees from the light, which is above: half of it is left where it is small and far.
+  this->Light->SetRadius(0.01);
+  auto mesh = PlateAndFloor();
+  this->Filter->SetInputData(mesh);
+  const auto flat = this->Image();
+  std::vector<float> normals;
+  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k)
+  {
+    normals.insert(normals.end(), { 0.0f, 1.0f, 0.0f });
+  }
+  auto same = PlateAndFloor();
+  shadowcones::AddFloatArray(same->GetPointData(), "Normals", 3, normals);
+  this->Filter->SetInputData(same);
+  EXPECT_NEAR(Sum(this->Image(), "SurfaceRadiance") / Sum(flat, "SurfaceRadiance"), 1.0, 1e-3);
+  for (std::size_t k = 0; k < normals.size(); k += 3)
+  {
+    normals[k] = std::sqrt(0.75f);
+    normals[k + 1] = 0.5f;
+  }
+  auto turned = PlateAndFloor();
+  shadowcones::AddFloatArray(turned->GetPointData(), "Normals", 3, normals);
+  this->Filter->SetInputData(turned);
+  // On average over places to the left and right of the lamp.
+  EXPECT_NEAR(Sum(this->Image(), "SurfaceRadiance") / Sum(flat, "SurfaceRadiance"), 0.5, 0.1);
+}
+
 TEST_F(ScatteringImageFilter, LightWavelengthsGiveRgbItsColours)
 {
   this->Light->SetNumberOfWavelengths(2);
@@ -310,6 +339,11 @@ TEST_F(ScatteringImageFilter, BadInputsHaveTheirOwnMessages)
   this->Filter->SetInputData(mesh);
   this->ExpectError("\"Reflectance\" of the mesh has 1 tuples for 2 cells");
 
+  mesh = PlateAndFloor();
+  shadowcones::AddFloatArray(mesh->GetPointData(), "Normals", 3, std::vector<float>(3, 0.5f));
+  this->Filter->SetInputData(mesh);
+  this->ExpectError("\"Normals\" of the mesh has 1 tuples of 3 components for");
+
   this->Filter->SetInputData(vtkNew<vtkPolyData>().Get());
   this->Filter->SetMediumBounds(1.0, -1.0, 1.0, -1.0, 1.0, -1.0);
   this->Light->SetShapeToSun();
@@ -398,6 +432,8 @@ TEST_F(ScatteringImageFilter, BadParametersHaveTheirOwnMessages)
   expect(
     "Exposure is 0", [&] { f->SetExposure(0.0); }, [&] { f->SetExposure(1.0); });
   expect(
+    "ToneCurve is 2", [&] { f->SetToneCurve(2); }, [&] { f->SetToneCurveToLinear(); });
+  expect(
     "SigmaS is -1 at wavelength sample 0", [&] { f->SetSigmaS(-1.0); }, [&] { f->SetSigmaS(0.1); });
   expect(
     "SigmaA is inf at wavelength sample 3", [&] { f->SetSigmaASpectrum(3, std::numeric_limits<double>::infinity()); },
@@ -451,7 +487,7 @@ TEST_F(ScatteringImageFilter, PrintsEveryMember)
          "NumberOfSteps: 10", "MaximumDepth:", "IntensityThreshold:", "NumberOfLightSamples: 4",
          "NumberOfSurfaceLightSamples:", "NumberOfEdgeSamples: 4", "RelativeErrorGoal: 0.01", "MaximumSamples: 1024",
          "SoftDimensions: 65, 65, 65", "NumberOfSoftLightSamples: 64", "LightVisible: On",
-         "Reflectance:", "ConeLength:", "Exposure:", "Seed:" })
+         "Reflectance:", "ConeLength:", "Exposure:", "ToneCurve: 0", "Seed:" })
   {
     EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }

@@ -86,6 +86,21 @@ TEST_F(ToneMapRadiance, WhiteIsTheNinetyNinthPercentileOfTheRadiance)
   EXPECT_FALSE(image->GetFieldData()->HasArray("Exposure"));
 }
 
+TEST_F(ToneMapRadiance, FilmicLeavesRoomAboveWhite)
+{
+  // 2.54 / 3.16 = 0.8038 is by the curve of sRGB 231.6 of 255.
+  auto image = Ramp(10, 10);
+  image->GetPointData()->GetArray("Radiance")->SetComponent(99, 0, 4.0);
+  this->Filter->SetToneCurveToFilmic();
+  vtkImageData* output = this->Map(image);
+  EXPECT_NEAR(Field(output, "Exposure"), 1.0 / 0.99, 1e-6) << "as without the curve";
+  EXPECT_EQ(Grey(output, 98), 232.0);
+  EXPECT_GT(Grey(output, 99), 250.0);
+  EXPECT_LT(Grey(output, 99), 255.0) << "four times as bright, and not cut";
+  this->Filter->SetToneCurveToLinear();
+  EXPECT_EQ(Grey(this->Map(image), 98), 255.0);
+}
+
 TEST_F(ToneMapRadiance, TheLampItselfIsLeftOut)
 {
   auto image = Ramp(10, 10);
@@ -162,8 +177,15 @@ TEST_F(ToneMapRadiance, FaultsHaveTheirMessages)
     this->Map(Ramp(3, 3));
     EXPECT_NE(messages.Errors.find("it must be above 0 and finite"), std::string::npos) << exposure;
   }
+  messages.Errors.clear();
+  this->Filter->SetExposure(1.0);
+  this->Filter->SetToneCurve(3);
+  this->Map(Ramp(3, 3));
+  EXPECT_NE(messages.Errors.find("ToneCurve is 3: it must be Linear (0) or Filmic (1)"), std::string::npos)
+    << messages.Errors;
   std::ostringstream text;
   this->Filter->Print(text);
+  EXPECT_NE(text.str().find("ToneCurve: 3"), std::string::npos);
   EXPECT_NE(text.str().find("AutoExposure: On"), std::string::npos);
 }
 
@@ -187,6 +209,16 @@ TEST_F(ImageExposure, AnotherExposureRendersNothingAnew)
   this->Filter->SetExposure(exposure);
   ExpectSameBytes(this->Image(), found);
   EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetArray("Radiance"), radiance);
+
+  this->Filter->SetToneCurveToFilmic();
+  EXPECT_LT(Sum(this->Image(), "RGB"), Sum(found, "RGB"));
+  EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetArray("Radiance"), radiance);
+  vtkNew<vtkToneMapRadiance> again;
+  again->SetInputData(found);
+  again->SetToneCurveToFilmic();
+  again->Update();
+  ExpectSameRgb(again->GetOutput(), this->Filter->GetOutput());
+  this->Filter->SetToneCurveToLinear();
 
   // What the image depends on renders it anew.
   const auto changes = { +[](ImageExposure_AnotherExposureRendersNothingAnew_Test& t) { t.Filter->SetSigmaS(0.2); },

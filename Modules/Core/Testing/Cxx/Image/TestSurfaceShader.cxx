@@ -181,7 +181,9 @@ TEST(SurfaceShader, ConesSaveRaysAndNoByteOfTheImage)
   const ScatteringImage medium = stage.Render(ScatteringMode::Medium, &cones);
   EXPECT_EQ(medium.Radiance, bruteForce.Radiance);
   EXPECT_EQ(medium.SurfaceRadiance, bruteForce.SurfaceRadiance);
-  EXPECT_LT(medium.NumberOfOcclusionRays, bruteForce.NumberOfOcclusionRays / 2);
+  EXPECT_EQ(medium.NumberOfShortPixels, bruteForce.NumberOfShortPixels);
+  // In half-shadow far more rays are taken than in the light, where BruteForce takes these alone.
+  EXPECT_LT(medium.NumberOfOcclusionRays, bruteForce.NumberOfOcclusionRays * 3 / 4);
   EXPECT_GT(medium.NumberOfOcclusionRays, 0);
   for (const ScatteringMode mode : { ScatteringMode::Guided, ScatteringMode::Volume })
   {
@@ -229,7 +231,7 @@ TEST(SurfaceShader, VolumeTracesNearMarksOnly)
   const ScatteringImage bruteForce = stage.Render(ScatteringMode::BruteForce);
   const ScatteringImage volume = stage.Render(ScatteringMode::Volume, nullptr, &marked);
   ExpectAlike(volume, bruteForce);
-  EXPECT_LT(volume.NumberOfOcclusionRays, bruteForce.NumberOfOcclusionRays * 3 / 4);
+  EXPECT_LT(volume.NumberOfOcclusionRays, bruteForce.NumberOfOcclusionRays * 4 / 5);
   // A grid that says nothing of marks, or ends before the surfaces, is asked nothing.
   VisibilityGrid plain = marked;
   plain.Marked.clear();
@@ -578,6 +580,7 @@ TEST(SurfaceShader, SplitsGiveTheSameBytes)
         const auto place = static_cast<std::size_t>(7 * (40 * j + i));
         ASSERT_EQ(part.SurfaceRadiance[index], whole.SurfaceRadiance[place]) << i << ", " << j;
         ASSERT_EQ(part.Radiance[index], whole.Radiance[place]) << i << ", " << j;
+        ASSERT_EQ(part.SurfaceRelativeError[index / 7], whole.SurfaceRelativeError[place / 7]) << i << ", " << j;
       }
     }
   }

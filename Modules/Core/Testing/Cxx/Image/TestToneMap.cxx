@@ -31,6 +31,30 @@ std::vector<int> Taken(int width, int height)
 }
 } // namespace
 
+TEST(ToneMap, FilmicIsThePublishedCurve)
+{
+  // By hand from (x (2.51 x + 0.03)) / (x (2.43 x + 0.59) + 0.14).
+  EXPECT_NEAR(ApplyToneCurve(ToneCurve::Filmic, 1.0), 2.54 / 3.16, 1e-12);
+  EXPECT_NEAR(ApplyToneCurve(ToneCurve::Filmic, 0.18), 0.086724 / 0.324932, 1e-12);
+  EXPECT_NEAR(ApplyToneCurve(ToneCurve::Filmic, 4.0), 40.28 / 41.38, 1e-12);
+  double before = 0.0;
+  for (double x = 0.01; x < 7.2; x += 0.01)
+  {
+    const double value = ApplyToneCurve(ToneCurve::Filmic, x);
+    EXPECT_GT(value, before);
+    EXPECT_LT(value, 1.0) << "a lamp of " << x << " times white keeps its shape";
+    before = value;
+  }
+  for (const ToneCurve curve : { ToneCurve::Linear, ToneCurve::Filmic })
+  {
+    EXPECT_EQ(ApplyToneCurve(curve, 7.3), 1.0);
+    EXPECT_EQ(ApplyToneCurve(curve, std::numeric_limits<double>::infinity()), 1.0);
+    EXPECT_EQ(ApplyToneCurve(curve, -1.0), 0.0);
+    EXPECT_EQ(ApplyToneCurve(curve, std::numeric_limits<double>::quiet_NaN()), 0.0);
+  }
+  EXPECT_EQ(ApplyToneCurve(ToneCurve::Linear, 0.3), 0.3);
+}
+
 TEST(ToneMap, LuminanceOfEqualEnergyIsOne)
 {
   for (const int count : { 1, 3, 7, 40 })
@@ -108,7 +132,7 @@ TEST(ToneMap, BytesAreThoseOfSrgb)
   // By the curve of IEC 61966-2-1: 0.5 is 187.5 of 255, 0.18 is 117.6, 0.002 is 6.6.
   const std::vector<float> radiance{ 0.25f, 0.25f, 0.09f, 0.09f, 0.001f, 0.001f, 0.5f, 0.5f, 7.0f, 7.0f, -1.0f, -1.0f };
   std::vector<unsigned char> rgb(18);
-  ToneMap(radiance.data(), 6, { 450.0, 600.0 }, 2.0, rgb.data());
+  ToneMap(radiance.data(), 6, { 450.0, 600.0 }, 2.0, ToneCurve::Linear, rgb.data());
   const unsigned char expected[6] = { 188, 118, 7, 255, 255, 0 };
   for (int i = 0; i < 18; ++i)
   {
