@@ -46,7 +46,7 @@ def main():
     parser.add_argument("--output", default="output", help="folder to write to (default: output)")
     parser.add_argument("--data", default=scenes.DATA, help="folder of the meshes (default: Data of this project)")
     parser.add_argument("--vectors", type=int, default=5800, help="number of shadow vectors (default: 5800)")
-    parser.add_argument("--size", type=int, default=256, help="width and height of the image in pixels (default: 256)")
+    parser.add_argument("--size", type=int, default=512, help="width and height of the image in pixels (default: 512)")
     parser.add_argument("--view-size", type=int, default=400, help="the same of cones.png (default: 400)")
     parser.add_argument("--no-display", action="store_true", help="leave out cones.png, which needs a display")
     arguments = parser.parse_args()
@@ -88,7 +88,8 @@ def main():
         image.SetCamera(scenes.front_camera())
         image.SetResolution(arguments.size, arguments.size)
         image.SetModeToGuided()
-        image.SetRelativeErrorGoal(0.01)  # of each pixel: sampling stops there
+        image.SetRelativeErrorGoal(0.02)  # of each pixel: sampling stops there
+        image.SetToneCurveToFilmic()  # so that the lamp and the wall beside it are not cut to white
         image.SetSigmaS(0.12)
         image.SetSigmaA(0.0)
         image.SetMediumBounds(*scenes.MEDIUM_BOUNDS)
