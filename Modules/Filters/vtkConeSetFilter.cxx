@@ -34,25 +34,34 @@ constexpr int pathPort = 1;
 constexpr int meshPort = 2;
 constexpr int lightPort = 3;
 
-/// What tuning chose, as a sentence.
-std::string ChoiceOf(const ConeTuningResult& tuning, const std::string& name)
+/// What tuning chose and why, as a sentence.
+std::string ChoiceOf(const ConeTuningResult& tuning, ConeTuning kind, const std::string& name)
 {
   std::ostringstream text;
   const ConeSetOptions& o = tuning.Options;
+  const double held = 1.0 - tuning.Leak;
   text << name << ": of " << tuning.NumberOfFits << " sets of parameters NumberOfNeighbors " << o.NumberOfNeighbors
        << ", PointsPerRing " << o.PointsPerRing << ", MinimumVectorsPerCone " << o.MinimumVectorsPerCone
-       << ", VarianceThreshold " << o.VarianceThreshold << " did best on the photons held out: " << 100.0 * tuning.Leak
-       << " % of the blocked light outside the cones.";
+       << ", VarianceThreshold " << o.VarianceThreshold << " did best on the photons held out: ";
+  if (kind == ConeTuning::Tight)
+  {
+    text << 100.0 * held / (held + tuning.Lost) << " % of the light inside the cones is blocked, and the "
+         << 100.0 * tuning.Leak << " % of the blocked light outside them is left to the proof.";
+  }
+  else
+  {
+    text << 100.0 * tuning.Leak << " % of the blocked light outside the cones.";
+  }
   return text.str();
 }
 
 /// Where the parameters of the cones came from, as a sentence; empty where they were set.
 std::string ChoiceOf(const ConeTuningResult& tuning, ConeTuning kind, bool tune, bool automatic)
 {
-  static const char* const names[] = { "Manual", "Conservative", "Preview", "Soft" };
+  static const char* const names[] = { "Manual", "Conservative", "Preview", "Soft", "Conservative" };
   if (tune && tuning.Lacking.empty())
   {
-    return ChoiceOf(tuning, std::string(automatic ? "Automatic, " : "") + names[static_cast<int>(kind)]);
+    return ChoiceOf(tuning, kind, std::string(automatic ? "Automatic, " : "") + names[static_cast<int>(kind)]);
   }
   return tune || automatic
     ? Sentence(automatic ? "Automatic: bounds" : "Bounds", " from the light's geometry, because ",
@@ -62,9 +71,11 @@ std::string ChoiceOf(const ConeTuningResult& tuning, ConeTuning kind, bool tune,
 
 std::string ChoiceOf(const ProofChoice& choice)
 {
-  return Sentence(choice.TakesParts ? " Cones around parts of the mesh were taken: " : " Fitted cones were taken: ",
+  return Sentence(
+    choice.TakesParts ? " Cones around parts of the mesh were taken, which are tighter: " : " Fitted cones were taken: ",
     choice.NumberOfPartCones, " around parts hold ", choice.PartVolume, " cubic units, ", choice.NumberOfFittedCones,
-    " fitted ones, once proved, hold ", choice.FittedVolume, ".");
+    choice.FittedProved ? " fitted ones, once proved, hold " : " fitted ones, even before a proof, hold ",
+    choice.FittedVolume, ".");
 }
 
 std::vector<Cone> SliceOf(const std::vector<Cone>& cones, const PieceRequest& piece)
@@ -236,7 +247,10 @@ bool vtkConeSetFilter::Fit(const ConeSetInputs& inputs, bool prove, Outcome& out
 {
   const bool automatic = this->Tuning == Automatic;
   const bool tune = this->Tuning != Manual && !inputs.Vectors.Points.empty() && !inputs.Paths.Points.empty();
-  const auto kind = automatic ? ConeTuning::Conservative : static_cast<ConeTuning>(this->Tuning);
+  const bool bounds = automatic || this->Tuning == Conservative;
+  const auto kind = !bounds ? static_cast<ConeTuning>(this->Tuning)
+    : prove                 ? ConeTuning::Tight
+                            : ConeTuning::Conservative;
   const Monitor monitor = MonitorOf(this);
   const double fitted = prove ? 0.7 : 1.0;
   const double tuned = tune ? 0.8 * fitted : 0.0;

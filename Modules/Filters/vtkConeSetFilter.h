@@ -108,11 +108,12 @@ public:
   };
   ///@{
   /// How the parameters below are chosen. Manual: as they are set. Automatic: Conservative where photon paths are connected, else
-  /// large overlapping cones from the light's geometry; with a mesh, cones around parts of it where those are tighter.
+  /// large overlapping cones from the light's geometry; with a mesh, cones around parts of it where those are tighter
+  /// ("TuningChoice" says which and by how much).
   /// Conservative, Preview and Soft need photon paths and choose everything but NumberOfSectors and PlanarityThreshold, by
   /// fitting three quarters of the photons and measuring on the rest (section 6.1). Conservative: bounds, the least leak with few
-  /// cones, no vector left over. Preview: the shadow itself, bases trimmed by the photon paths and ExpansionFraction so that lit
-  /// light lost inside the cones equals blocked light leaking outside. Soft: base discs as surfels for vtkConeSetProbe,
+  /// cones, no vector left over; with a mesh, which closes what leaks, the largest share of blocked light with at most 150 cones
+  /// a light. Preview: the shadow itself, bases trimmed by the photon paths and ExpansionFraction so that lit light lost inside the cones equals blocked light leaking outside. Soft: base discs as surfels for vtkConeSetProbe,
   /// RadiusScale so that lit paths caught equal blocked paths missed, then the best intersection over union. Where the paths
   /// have nothing to teach a warning says so and bounds are made as Automatic does without paths. Default Automatic.
   vtkSetMacro(Tuning, int);

@@ -20,8 +20,10 @@ constexpr double coneCost = 0.05;      ///< Conservative: what a cone per vector
 constexpr double boundsMargin = 0.5;   ///< Conservative: light counts in the paths' bounds, grown by this share of them
 constexpr double previewMargin = 0.25; ///< Preview: the same, nearer to the occluders, where images look
 constexpr double largestScale = 2.0;   ///< Soft: radii are not scaled beyond this
-constexpr int numberOfParameterSamples = 24; ///< parameter sets spread over the ranges before the best is refined
-constexpr int numberOfRounds = 2;      ///< of steps from the best
+constexpr double tightLeak = 0.25;     ///< Tight: what leaks gets cones around parts of the mesh, which are tighter
+/// Tight: for each light, of three quarters of the vectors; all of them make some 150. Each one more costs tightConeCost.
+constexpr double mostTightCones = 120.0;
+constexpr double tightConeCost = 0.01;
 constexpr vtkIdType fewVectors = 6000;   ///< Preview and Soft: to search with
 constexpr vtkIdType manyVectors = 40000; ///< to choose among the best with
 constexpr std::size_t numberOfFinalists = 6;
@@ -118,6 +120,16 @@ void MeasureConservative(const Validation& validation, const std::vector<Cone>& 
   SetSums(SumLight(validation, cones), result);
   result.Objective =
     result.Leak + coneCost * static_cast<double>(cones.size()) / static_cast<double>(validation.Data.Vectors().Count);
+}
+
+/// What the proof closes costs little: the light of the cones that is not in shadow counts.
+void MeasureTight(const Validation& validation, const std::vector<Cone>& cones, ConeTuningResult& result)
+{
+  SetSums(SumLight(validation, cones), result);
+  const double held = 1.0 - result.Leak;
+  const double most = mostTightCones * static_cast<double>(validation.Lights);
+  result.Objective = result.Lost / std::max(held + result.Lost, 1e-300) + tightLeak * result.Leak +
+    tightConeCost * std::max(0.0, static_cast<double>(cones.size()) - most);
 }
 
 /// For each sample the smallest share of the half angles at which a cone holds it; HUGE_VAL: none does at @p largest.
@@ -316,6 +328,9 @@ bool Measure(const Validation& validation, const std::vector<LightExtent>& light
     case ConeTuning::Soft:
       MeasureSoft(validation, set.Cones, result);
       break;
+    case ConeTuning::Tight:
+      MeasureTight(validation, set.Cones, result);
+      break;
     default:
       MeasureConservative(validation, set.Cones, result);
       break;
@@ -323,9 +338,21 @@ bool Measure(const Validation& validation, const std::vector<LightExtent>& light
   return true;
 }
 
-bool NeedsLitPaths(ConeTuning tuning)
+bool MakesBounds(ConeTuning tuning)
 {
-  return tuning != ConeTuning::Conservative;
+  return tuning == ConeTuning::Conservative || tuning == ConeTuning::Tight;
+}
+
+/// Parameter sets spread over the ranges, before the best is refined. A proof mends what a short search leaves.
+int NumberOfParameterSamples(ConeTuning tuning)
+{
+  return tuning == ConeTuning::Tight ? 12 : 24;
+}
+
+/// Rounds of steps from the best.
+int NumberOfRounds(ConeTuning tuning)
+{
+  return tuning == ConeTuning::Tight ? 1 : 2;
 }
 
 /// Where the search starts: what measuring found good for each use.
@@ -341,7 +368,7 @@ ConeSetOptions Recipe(ConeTuning tuning, ConeSetOptions options)
   options.ExpansionFraction = 1.0;
   options.RadiusScale = 1.0;
   options.MaximumOverspill = tuning == ConeTuning::Preview ? 0.25 : 1.0;
-  options.Leftovers = tuning == ConeTuning::Conservative ? ConeLeftovers::Cover : ConeLeftovers::Discard;
+  options.Leftovers = MakesBounds(tuning) ? ConeLeftovers::Cover : ConeLeftovers::Discard;
   return options;
 }
 
@@ -388,7 +415,7 @@ std::vector<ConeSetOptions> Steps(const ConeSetOptions& options)
 bool Search(const Validation& validation, const std::vector<LightExtent>& lights, ConeTuning tuning,
   const ConeSetOptions& recipe, const Monitor& monitor, std::vector<ConeTuningResult>& tried)
 {
-  const double expected = 1.0 + numberOfParameterSamples + numberOfRounds * static_cast<double>(Steps(recipe).size());
+  const double expected = 1.0 + NumberOfParameterSamples(tuning) + NumberOfRounds(tuning) * static_cast<double>(Steps(recipe).size());
   const auto attempt = [&](const ConeSetOptions& options) {
     if (CheckConeSetOptions(options))
     {
@@ -412,14 +439,14 @@ bool Search(const Validation& validation, const std::vector<LightExtent>& lights
   {
     return false;
   }
-  for (int sample = 0; sample < numberOfParameterSamples; ++sample)
+  for (int sample = 0; sample < NumberOfParameterSamples(tuning); ++sample)
   {
     if (!attempt(ParameterSample(recipe, sample)))
     {
       return false;
     }
   }
-  for (int round = 0; round < numberOfRounds; ++round)
+  for (int round = 0; round < NumberOfRounds(tuning); ++round)
   {
     const ConeTuningResult from = best();
     for (const ConeSetOptions& step : Steps(from.Options))
@@ -450,7 +477,7 @@ bool MeasureTuning(const ShadowVectorView& vectors, const PhotonPathView& paths,
   result = {};
   result.Options = options;
   const Validation validation(vectors, paths, lights.size(), tuning, manyVectors);
-  result.Lacking = validation.Data.Lacking(NeedsLitPaths(tuning));
+  result.Lacking = validation.Data.Lacking(!MakesBounds(tuning));
   if (!result.Lacking.empty())
   {
     return true;
@@ -468,11 +495,11 @@ bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, c
   {
     return true;
   }
-  const bool many = tuning != ConeTuning::Conservative && vectors.Count > fewVectors;
+  const bool many = !MakesBounds(tuning) && vectors.Count > fewVectors;
   const double part = many ? 0.5 : 1.0;
   std::vector<ConeTuningResult> tried;
   const Validation first(vectors, paths, lights.size(), tuning, many ? fewVectors : manyVectors);
-  result.Lacking = first.Data.Lacking(NeedsLitPaths(tuning));
+  result.Lacking = first.Data.Lacking(!MakesBounds(tuning));
   if (!result.Lacking.empty())
   {
     result.Options = BoundsOptions(options);

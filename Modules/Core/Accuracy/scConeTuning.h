@@ -22,7 +22,8 @@ enum class ConeTuning : int
   Manual = 0,       ///< the options as they are
   Conservative = 1, ///< bounds: Leak + 0.05 cones per vector
   Preview = 2,      ///< the shadow itself: what of Lost and Leak does not cancel in 12 x 12 x 12 cells, where Lost equals Leak
-  Soft = 3          ///< surfels: 1 - intersection over union, where false positives equal false negatives
+  Soft = 3,         ///< surfels: 1 - intersection over union, where false positives equal false negatives
+  Tight = 4         ///< bounds that a proof makes whole: lit share of the cones' light + 0.25 Leak, some 150 cones a light
 };
 
 struct ConeTuningResult
@@ -42,8 +43,8 @@ SHADOWCONESCORE_EXPORT ConeSetOptions BoundsOptions(const ConeSetOptions& option
 
 /**
  * Hold a quarter of the photons out (those whose emission point and direction hash so), fit cones to the vectors of the
- * others, and measure the cones on the paths held out: first a recipe, then 24 parameter sets spread over the useful ranges
- * of p1, p3, p4 and the variance threshold, then steps from the best, for Preview of MaximumOverspill too. At most 40,000
+ * others, and measure the cones on the paths held out: first a recipe, then 24 parameter sets (Tight: 12) spread over the
+ * useful ranges of p1, p3, p4 and the variance threshold, then steps from the best, for Preview of MaximumOverspill too. At most 40,000
  * vectors and 6,000 held-out paths are used; Preview and Soft search with at most 6,000 vectors and, where there are more,
  * measure the recipe and the best six again with up to 40,000. A path's light is its length inside the paths' bounds, grown by
  * half their diagonal (Preview: a quarter, in 8 samples).

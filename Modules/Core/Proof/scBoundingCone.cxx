@@ -231,7 +231,13 @@ double NeededAngle(const LightPart& part, const Vector3& axis, const Vector3& po
 
 bool ConeAround(const std::vector<LightPart>& parts, const std::vector<HeldPoint>& points, const Cone* core, Cone& cone)
 {
-  cone.Axis = StoredDirection(core ? core->Axis : MeanDirection(parts, points));
+  return ConeAlong(core ? core->Axis : MeanDirection(parts, points), parts, points, core, cone);
+}
+
+bool ConeAlong(const Vector3& axis, const std::vector<LightPart>& parts, const std::vector<HeldPoint>& points,
+  const Cone* core, Cone& cone)
+{
+  cone.Axis = StoredDirection(axis);
   double angle = core ? std::max(0.0, core->HalfAngle) : 0.0;
   double front = core ? Dot(core->Center, cone.Axis) : HUGE_VAL;
   Cone probe = cone;

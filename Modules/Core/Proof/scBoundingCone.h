@@ -74,6 +74,9 @@ struct HeldPoint
  * false where it would be wider than largestProvedAngle.
  */
 bool ConeAround(const std::vector<LightPart>& parts, const std::vector<HeldPoint>& points, const Cone* core, Cone& cone);
+/// The same along an axis of one's own.
+bool ConeAlong(const Vector3& axis, const std::vector<LightPart>& parts, const std::vector<HeldPoint>& points,
+  const Cone* core, Cone& cone);
 
 } // namespace shadowcones
 

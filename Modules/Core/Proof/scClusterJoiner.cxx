@@ -16,9 +16,10 @@ using Mask = VolumeSample::Mask;
 
 constexpr int neighborsPerCluster = 8;
 constexpr int givenPerCluster = 6;    ///< given cones that a cluster may join
+constexpr int mostRounds = 5;         ///< what a join adds changes with others: neighbours are measured anew
 constexpr double volumeWeight = 1e-3; ///< of the cones' own volume, where the sample points see no difference
 
-/// Joins clusters, those first that add least to the volume held.
+/// Joins clusters, those first that add least to the volume held: one cone around two may well hold less than theirs did.
 class ClusterJoiner
 {
 public:
@@ -31,53 +32,32 @@ public:
     , Sample(options.Region)
   {
     this->Sample.KeepNear(ConesOf(clusters));
-    this->Union = this->Sample.MaskOf(clusters.front().Bound);
     for (PartCluster& cluster : clusters)
     {
       this->Complete(cluster);
-      this->AddToUnion(cluster.Points);
+      this->Holders.resize(cluster.Points.size(), 0);
+      this->CountHolders(cluster.Points, 1);
       this->Added += cluster.Given < 0 ? 1 : 0;
     }
-    this->Whole = CountBeyond(this->Union, Mask(this->Union.size(), 0));
-    this->FindNeighbors();
+    this->Whole = static_cast<double>(
+      this->Holders.size() - std::count(this->Holders.begin(), this->Holders.end(), 0));
   }
 
   bool Run(const Monitor& monitor)
   {
-    const auto start = static_cast<double>(this->Queue.size());
-    while (!this->Queue.empty())
+    for (int round = 0; round < mostRounds; ++round)
     {
-      if (monitor.IsAborted())
+      this->FindNeighbors();
+      bool joined = false;
+      const double begin = static_cast<double>(round) / mostRounds;
+      if (!this->JoinNeighbors(monitor.Part(begin, begin + 1.0 / mostRounds), joined))
       {
         return false;
       }
-      if (monitor.Progress)
-      {
-        monitor.Progress(1.0 - std::min(1.0, static_cast<double>(this->Queue.size()) / std::max(1.0, start)));
-      }
-      Join best = this->Queue.top();
-      this->Queue.pop();
-      if (!this->Clusters[best.A].Alive || !this->Clusters[best.B].Alive)
-      {
-        continue;
-      }
-      const double old = best.Cost;
-      PartCluster joint;
-      if (!this->Measure(best, joint))
-      {
-        continue;
-      }
-      if (best.Cost > old && !this->Queue.empty() && this->Queue.top() < best)
-      {
-        this->Queue.push(best);
-        continue;
-      }
-      const bool must = this->Added > this->Options.LargestNumber;
-      if (!must && best.Cost > this->Options.FreeFraction * this->Whole)
+      if (!joined)
       {
         break;
       }
-      this->Take(best, joint);
     }
     return true;
   }
@@ -114,21 +94,36 @@ private:
     cluster.Volume = VolumeIn(this->Options.Region, cluster.Bound);
   }
 
-  void AddToUnion(const Mask& mask)
+  void CountHolders(const Mask& mask, int step)
   {
     for (std::size_t i = 0; i < mask.size(); ++i)
     {
-      this->Union[i] |= mask[i];
+      this->Holders[i] += step * mask[i];
     }
   }
 
+  /// Points that the joint cone holds and no other does, less those that @p a and @p b alone hold and it does not.
+  int Gained(const Mask& joint, const Mask& a, const Mask& b) const
+  {
+    int gained = 0;
+    for (std::size_t i = 0; i < joint.size(); ++i)
+    {
+      const int others = this->Holders[i] - a[i] - b[i];
+      gained += others == 0 ? joint[i] - (a[i] | b[i]) : 0;
+    }
+    return gained;
+  }
+
+  /// Joins of neighbours, as they are now.
   void FindNeighbors()
   {
+    this->Queue = {};
     const auto count = static_cast<vtkIdType>(this->Clusters.size());
     std::vector<Vector3> middles;
-    for (const PartCluster& cluster : this->Clusters)
+    for (PartCluster& cluster : this->Clusters)
     {
       middles.push_back(cluster.Middle());
+      cluster.Neighbors.clear();
     }
     std::vector<std::vector<Join>> joins(this->Clusters.size());
     ParallelFor(count, {},
@@ -152,7 +147,7 @@ private:
 
   void NeighborsOf(int i, const std::vector<Vector3>& middles, std::vector<Join>& joins) const
   {
-    if (this->Clusters[i].Given >= 0)
+    if (this->Clusters[i].Given >= 0 || !this->Clusters[i].Alive)
     {
       return;
     }
@@ -161,6 +156,10 @@ private:
     for (std::size_t k = 0; k < this->Clusters.size(); ++k)
     {
       const PartCluster& other = this->Clusters[k];
+      if (!other.Alive)
+      {
+        continue;
+      }
       if (other.Given >= 0)
       {
         nearGiven.push_back({ -BoundingCone(other.Bound).Depth(middles[i]), static_cast<int>(k) });
@@ -190,6 +189,44 @@ private:
     }
   }
 
+  /// Join those that add least, until none is worth it or left. @return false where aborted.
+  bool JoinNeighbors(const Monitor& monitor, bool& joined)
+  {
+    const auto start = static_cast<double>(this->Queue.size());
+    while (!this->Queue.empty())
+    {
+      if (monitor.IsAborted())
+      {
+        return false;
+      }
+      if (monitor.Progress)
+      {
+        monitor.Progress(1.0 - std::min(1.0, static_cast<double>(this->Queue.size()) / std::max(1.0, start)));
+      }
+      Join best = this->Queue.top();
+      this->Queue.pop();
+      const double old = best.Cost;
+      PartCluster joint;
+      if (!this->Clusters[best.A].Alive || !this->Clusters[best.B].Alive || !this->Measure(best, joint))
+      {
+        continue;
+      }
+      if (best.Cost > old && !this->Queue.empty() && this->Queue.top() < best)
+      {
+        this->Queue.push(best);
+        continue;
+      }
+      const bool must = this->Added > this->Options.LargestNumber;
+      if (!must && best.Cost > this->Options.FreeFraction * this->Whole)
+      {
+        break;
+      }
+      this->Take(best, joint);
+      joined = true;
+    }
+    return true;
+  }
+
   /// The joint cone, and what it adds. @return false where there is none.
   bool Measure(Join& join, PartCluster& joint) const
   {
@@ -210,7 +247,7 @@ private:
       return false;
     }
     this->Complete(joint);
-    join.Cost = CountBeyond(joint.Points, this->Union) +
+    join.Cost = this->Gained(joint.Points, a.Points, b.Points) +
       volumeWeight * std::max(0.0, joint.Volume - std::max(a.Volume, b.Volume)) / this->Sample.VolumeOfPoint();
     return true;
   }
@@ -228,7 +265,14 @@ private:
     a.Alive = false;
     b.Alive = false;
     --this->Added;
-    this->AddToUnion(joint.Points);
+    if (joint.Given < 0)
+    {
+      TurnAxis(this->Mesh.LightParts(), joint.Held, this->Options.Region, joint.Bound);
+      this->Complete(joint);
+    }
+    this->CountHolders(a.Points, -1);
+    this->CountHolders(b.Points, -1);
+    this->CountHolders(joint.Points, 1);
     const auto index = static_cast<int>(this->Clusters.size());
     std::vector<int> neighbors;
     for (const int other : joint.Neighbors)
@@ -257,7 +301,7 @@ private:
   const ClusterOptions& Options;
   std::vector<PartCluster>& Clusters;
   VolumeSample Sample;
-  Mask Union;
+  std::vector<int> Holders; ///< for each sample point the living clusters whose cones hold it
   int Added = 0;
   double Whole = 0.0;
   std::priority_queue<Join> Queue;

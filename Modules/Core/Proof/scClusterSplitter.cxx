@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scClusterSplitter.h"
 
+#include "scParallel.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <queue>
 #include <utility>
@@ -40,9 +43,21 @@ public:
       this->Done.push_back(this->Queue.top());
     }
     std::sort(this->Done.begin(), this->Done.end(), [](const Range& a, const Range& b) { return a.Begin < b.Begin; });
-    for (const Range& range : this->Done)
+    // Ranges are cut further each by itself.
+    std::vector<std::vector<PartCluster>> found(this->Done.size());
+    std::vector<std::vector<OccluderPart>> without(this->Done.size());
+    ParallelFor(static_cast<vtkIdType>(this->Done.size()), {},
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          this->AddCluster(this->Done[i], found[i], without[i]);
+        }
+      });
+    for (std::size_t i = 0; i < found.size(); ++i)
     {
-      this->AddCluster(range, clusters, withoutCone);
+      std::move(found[i].begin(), found[i].end(), std::back_inserter(clusters));
+      withoutCone.insert(withoutCone.end(), without[i].begin(), without[i].end());
     }
   }
 

@@ -22,7 +22,9 @@ void Finish(const OccluderParts& mesh, const std::vector<OccluderPart>& parts, c
     cluster.Held.insert(cluster.Held.end(), points.begin(), points.end());
   }
   const Cone* core = cluster.Given >= 0 ? &given[cluster.Given] : nullptr;
-  cluster.Alive = ConeAround(mesh.LightParts(), cluster.Held, core, cluster.Bound);
+  const Vector3 axis = cluster.Bound.Axis;
+  cluster.Alive = ConeAlong(axis, mesh.LightParts(), cluster.Held, core, cluster.Bound) ||
+    ConeAround(mesh.LightParts(), cluster.Held, core, cluster.Bound);
 }
 /// What becomes of a finished cluster: a given cone that has grown, one more cone, or parts without a cone.
 void Take(PartCluster& cluster, const std::vector<OccluderPart>& parts, ClusterResult& result)

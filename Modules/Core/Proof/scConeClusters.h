@@ -29,8 +29,8 @@ struct ClusterResult
 
 /**
  * Hold all of the parts and their shadows: they are gathered by place into small clusters, each with a cone, and clusters
- * join each other or given cones, those first whose joint cone adds least to the volume that is held. @return false where
- * aborted.
+ * join each other or given cones, those first whose joint cone adds least to the volume that is held, or takes most away.
+ * @return false where aborted.
  */
 bool HoldParts(const OccluderParts& mesh, const std::vector<OccluderPart>& parts, const std::vector<Cone>& given,
   const ClusterOptions& options, const Monitor& monitor, ClusterResult& result);

@@ -27,6 +27,11 @@ Box Grown(const Box& box, double margin)
   return { box.Min - Vector3{ margin, margin, margin }, box.Max + Vector3{ margin, margin, margin } };
 }
 
+Box RegionOf(const Box& casters, const ConeProofOptions& options)
+{
+  return options.Region.Empty() ? Grown(casters, 0.5 * casters.Diagonal()) : options.Region;
+}
+
 /// One word for some values, in their order.
 class ValueHash
 {
@@ -163,6 +168,13 @@ Cone StoredCone(const Cone& cone)
   return result;
 }
 
+double VolumeOfCones(
+  const TriangleMeshView& mesh, const std::vector<Cone>& cones, const ConeProofOptions& options)
+{
+  const Box casters = CasterBounds(mesh);
+  return casters.Empty() ? 0.0 : VolumeSample(RegionOf(casters, options)).VolumeOf(cones);
+}
+
 bool IsTighter(const ConeProof& a, const ConeProof& b)
 {
   constexpr double alike = 0.01;
@@ -206,7 +218,7 @@ bool ProveConeSet(const TriangleMeshView& mesh, const std::vector<Light>& lights
     return true;
   }
   ClusterOptions clusters;
-  clusters.Region = options.Region.Empty() ? Grown(casters, 0.5 * casters.Diagonal()) : options.Region;
+  clusters.Region = RegionOf(casters, options);
   clusters.LargestNumber = options.LargestNumberOfAddedCones;
   std::set<int> withoutCone;
   const double fraction = 1.0 / std::max<double>(1.0, static_cast<double>(lights.size()));

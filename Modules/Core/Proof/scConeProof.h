@@ -48,6 +48,10 @@ struct ConeProof
 SHADOWCONESCORE_EXPORT bool ProveConeSet(const TriangleMeshView& mesh, const std::vector<Light>& lights,
   const std::vector<Cone>& given, const ConeProofOptions& options, const Monitor& monitor, ConeProof& proof);
 
+/// The Volume of cones of one's own, as ProveConeSet measures it.
+SHADOWCONESCORE_EXPORT double VolumeOfCones(
+  const TriangleMeshView& mesh, const std::vector<Cone>& cones, const ConeProofOptions& options);
+
 /// Does the union of the cones of @p a have the smaller Volume? Where they differ by less than a hundredth: has it fewer cones?
 SHADOWCONESCORE_EXPORT bool IsTighter(const ConeProof& a, const ConeProof& b);
 

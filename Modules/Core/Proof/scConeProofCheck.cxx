@@ -89,14 +89,14 @@ Box CastersBounds(const TriangleMeshView& mesh)
 class Checker
 {
 public:
-  Checker(const TriangleMeshView& mesh, const Light& light, const std::vector<Cone>& cones)
+  /// @param casters the bounds of the casting triangles
+  Checker(const Box& casters, const Light& light, const std::vector<Cone>& cones)
     : Lamp(light)
     , Cones(cones)
     , Hulls(HullsOf(light))
+    , Middle(casters.Empty() ? Vector3{} : casters.Center())
+    , Diagonal(casters.Diagonal())
   {
-    const Box bounds = CastersBounds(mesh);
-    this->Middle = bounds.Empty() ? Vector3{} : bounds.Center();
-    this->Diagonal = bounds.Diagonal();
   }
 
   ConeProofCheck Answer;
@@ -215,7 +215,7 @@ private:
   const std::vector<Cone>& Cones;
   std::vector<Hull> Hulls;
   Vector3 Middle;
-  double Diagonal = 0.0;
+  double Diagonal;
   std::size_t Last = 0;
 };
 
@@ -248,12 +248,13 @@ bool CheckConeProof(const TriangleMeshView& mesh, const Light& light, const std:
     return true;
   }
   const FlatFace face = FlatFaceOf(light); // what the ray engine passes by
+  const Box casters = CastersBounds(mesh);
   constexpr vtkIdType chunk = 64;
   const vtkIdType chunks = (mesh.NumberOfTriangles + chunk - 1) / chunk;
   std::vector<ConeProofCheck> answers(static_cast<std::size_t>(chunks));
   std::atomic<vtkIdType> firstFault{ std::numeric_limits<vtkIdType>::max() };
   const bool finished = ParallelFor(chunks, monitor, [&](vtkIdType first, vtkIdType last) {
-    Checker checker(mesh, light, cones);
+    Checker checker(casters, light, cones);
     for (vtkIdType c = first; c < last && c <= firstFault; ++c)
     {
       checker.Answer = {};

@@ -2,6 +2,7 @@
 #include "scPartCluster.h"
 
 #include "scConstants.h"
+#include "scFrame.h"
 
 #include <cmath>
 #include <map>
@@ -52,6 +53,29 @@ double VolumeIn(const Box& region, const Cone& cone)
   const double length = region.Clip(cone.Center, cone.Axis, begin, end) ? end : region.Diagonal();
   const double slope = length * std::tan(cone.HalfAngle);
   return Pi * length * (cone.BaseRadius * (cone.BaseRadius + slope) + slope * slope / 3.0);
+}
+
+void TurnAxis(
+  const std::vector<LightPart>& parts, const std::vector<HeldPoint>& points, const Box& region, Cone& cone)
+{
+  constexpr int rounds = 4;
+  double least = VolumeIn(region, cone);
+  double step = 0.25 * std::tan(cone.HalfAngle);
+  for (int round = 0; round < rounds; ++round, step *= 0.5)
+  {
+    const Vector3 axis = cone.Axis;
+    const Frame frame = FrameAround(axis);
+    for (const Vector3& aside : { frame.U, -1.0 * frame.U, frame.V, -1.0 * frame.V })
+    {
+      Cone turned = cone;
+      if (ConeAlong(Normalized(axis + step * aside), parts, points, nullptr, turned) &&
+        VolumeIn(region, turned) < least)
+      {
+        least = VolumeIn(region, turned);
+        cone = turned;
+      }
+    }
+  }
 }
 
 } // namespace shadowcones

@@ -50,6 +50,10 @@ void KeepOutermost(std::vector<HeldPoint>& points);
 /// Volume of a cone from its base to where its axis leaves the region.
 double VolumeIn(const Box& region, const Cone& cone);
 
+/// Turn the axis of a cone around the points, one without a core, while that makes it hold less of the region.
+void TurnAxis(
+  const std::vector<LightPart>& parts, const std::vector<HeldPoint>& points, const Box& region, Cone& cone);
+
 } // namespace shadowcones
 
 #endif

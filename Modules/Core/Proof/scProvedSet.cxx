@@ -10,6 +10,9 @@ namespace shadowcones
 {
 namespace
 {
+/// Cones around parts of the mesh, for each light, that are to be made at most.
+constexpr int fewestParts = 16;
+constexpr int mostParts = 140;
 
 /// Receivers are the room; without any the casters' own bounds say where shadow matters.
 Box RegionOf(const TriangleMeshView& mesh)
@@ -48,6 +51,27 @@ void AssignVectors(const ShadowVectorView& vectors, ConeSet& set)
   }
 }
 
+/// Cones around parts of the mesh, and whether they are tighter than the fitted ones can become. @return false where aborted.
+bool MakeParts(const TriangleMeshView& mesh, const std::vector<Light>& lights, const std::vector<Cone>& fitted,
+  const ConeProofOptions& options, const Monitor& monitor, ConeProof& parts, ProofChoice& choice)
+{
+  ConeProof before;
+  before.Cones = fitted;
+  before.Volume = VolumeOfCones(mesh, fitted, options);
+  // No more than twice the fitted ones, for each light.
+  ConeProofOptions few = options;
+  const auto ofLight = static_cast<int>(2 * fitted.size() / std::max<std::size_t>(1, lights.size()));
+  few.LargestNumberOfAddedCones = fitted.empty() ? 0 : std::clamp(ofLight, fewestParts, mostParts);
+  if (!ProveConeSet(mesh, lights, {}, few, monitor, parts))
+  {
+    return false;
+  }
+  // Cones grow and are added: they hold no less once they are proved. As many and as large ones may still be proved as they are.
+  choice = { IsTighter(parts, before) && parts.Volume < before.Volume, false, fitted.size(), parts.Cones.size(),
+    before.Volume, parts.Volume };
+  return true;
+}
+
 } // namespace
 
 bool ProveFittedSet(const TriangleMeshView& mesh, const std::vector<Light>& lights, const ShadowVectorView& vectors,
@@ -55,22 +79,23 @@ bool ProveFittedSet(const TriangleMeshView& mesh, const std::vector<Light>& ligh
 {
   ConeProofOptions options;
   options.Region = RegionOf(mesh);
-  if (!ProveConeSet(mesh, lights, set.Cones, options, monitor.Part(0.0, choose ? 0.5 : 1.0), proof))
+  ConeProof parts;
+  if (choose && !MakeParts(mesh, lights, set.Cones, options, monitor.Part(0.0, 0.5), parts, choice))
   {
     return false;
   }
-  if (choose)
+  if (!choice.TakesParts)
   {
-    ConeProof parts;
-    if (!ProveConeSet(mesh, lights, {}, options, monitor.Part(0.5, 1.0), parts))
+    if (!ProveConeSet(mesh, lights, set.Cones, options, monitor.Part(choose ? 0.5 : 0.0, 1.0), proof))
     {
       return false;
     }
-    choice = { IsTighter(parts, proof), proof.Cones.size(), parts.Cones.size(), proof.Volume, parts.Volume };
-    if (choice.TakesParts)
-    {
-      proof = std::move(parts);
-    }
+    choice = { choose && IsTighter(parts, proof), true, proof.Cones.size(), parts.Cones.size(), proof.Volume,
+      parts.Volume };
+  }
+  if (choice.TakesParts)
+  {
+    proof = std::move(parts);
   }
   set.Cones = proof.Cones;
   AssignVectors(vectors, set);

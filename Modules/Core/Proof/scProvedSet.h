@@ -16,10 +16,11 @@
 namespace shadowcones
 {
 
-/// Fitted cones, once proved, against cones around parts of the mesh: how many, and how much space they hold.
+/// Fitted cones against cones around parts of the mesh: how many, and how much space they hold.
 struct ProofChoice
 {
   bool TakesParts = false;
+  bool FittedProved = true; ///< the figures are those of the fitted cones once proved; else before: a proof makes them no smaller
   std::size_t NumberOfFittedCones = 0;
   std::size_t NumberOfPartCones = 0;
   double FittedVolume = 0.0; ///< cubic world units

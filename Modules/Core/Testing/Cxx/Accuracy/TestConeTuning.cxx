@@ -106,6 +106,23 @@ TEST_F(TunedSlats, ConservativeConesHoldTheBlockedLight)
   EXPECT_GE(this->SharesInside(this->FitTuned(tuned).Cones).first, 0.995);
 }
 
+TEST_F(TunedSlats, TightConesHaveTheirOwnMeasure)
+{
+  ConeTuningResult bounds;
+  ConeTuningResult tight;
+  ASSERT_TRUE(TuneConeSet(this->Vectors, this->Paths, this->Extent, ConeTuning::Conservative, {}, {}, bounds));
+  ASSERT_TRUE(TuneConeSet(this->Vectors, this->Paths, this->Extent, ConeTuning::Tight, {}, {}, tight));
+  EXPECT_LE(tight.Objective, tight.StartObjective);
+  EXPECT_LT(tight.NumberOfFits, bounds.NumberOfFits);
+  EXPECT_EQ(tight.Options.Leftovers, ConeLeftovers::Cover);
+  EXPECT_LE(this->FitTuned(tight).Cones.size(), 160u);
+  // The lit share of the light inside the cones, and a quarter of what leaks.
+  EXPECT_NEAR(tight.Objective, tight.Lost / (1.0 - tight.Leak + tight.Lost) + 0.25 * tight.Leak, 1e-12);
+  ConeTuningResult measured;
+  ASSERT_TRUE(MeasureTuning(this->Vectors, this->Paths, this->Extent, ConeTuning::Tight, bounds.Options, {}, measured));
+  EXPECT_LE(tight.Objective, 1.05 * measured.Objective);
+}
+
 TEST_F(TunedSlats, PreviewBalancesLostAndLeakedLight)
 {
   ConeTuningResult tuned;
