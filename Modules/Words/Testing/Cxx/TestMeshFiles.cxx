@@ -269,12 +269,12 @@ TEST_F(MeshFiles, BrokenFilesDoNotCrash)
   for (const std::string& path : paths)
   {
     const std::string whole = Bytes(path);
-    for (int i = 0; i < 16; ++i)
+    for (int i = 0; i < 8; ++i)
     {
-      std::string bytes = i < 6 ? whole.substr(0, below(whole.size())) : whole;
-      for (int change = 0; i >= 6 && change < (i < 11 ? 1 : 8); ++change)
+      std::string bytes = i < 3 ? whole.substr(0, below(whole.size())) : whole;
+      for (int change = 0; i >= 3 && change < (i < 6 ? 1 : 8); ++change)
       {
-        bytes[below(i < 9 ? std::min<std::size_t>(whole.size(), 400) : whole.size())] = "9-\xFF\0 "[below(5)];
+        bytes[below(i < 5 ? std::min<std::size_t>(whole.size(), 400) : whole.size())] = "9-\xFF\0 "[below(5)];
       }
       vtkNew<vtkMeshFiles> files;
       files->AddFileName(this->WriteBytes("broken" + fs::path(path).extension().string(), bytes));
@@ -295,5 +295,5 @@ TEST_F(MeshFiles, BrokenFilesDoNotCrash)
       }
     }
   }
-  EXPECT_GT(refused, 40);
+  EXPECT_GT(refused, 20);
 }
