@@ -222,9 +222,8 @@ std::vector<Cone> ConesEverywhere(const Box& region, std::size_t lights)
   return cones;
 }
 
-std::vector<Cone> ConesFor(const Box& region, std::size_t lights, vtkFieldData* data, const std::vector<Cone>& cones)
+std::vector<Cone> ConesFor(const Box& region, std::size_t lights, const Box& proved, const std::vector<Cone>& cones)
 {
-  const Box proved = ReadCertifiedBounds(data);
   const bool beyond =
     !proved.Empty() && !region.Empty() && !(proved.Contains(region.Min) && proved.Contains(region.Max));
   return beyond ? ConesEverywhere(region, lights) : cones;

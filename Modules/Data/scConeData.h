@@ -48,9 +48,10 @@ SHADOWCONESDATA_EXPORT void WriteConeTuning(const ConeTuningResult& tuning, vtkF
 SHADOWCONESDATA_EXPORT Box ReadCertifiedBounds(vtkFieldData* data);
 /// One cone around @p region for each light: rays are then sent from everywhere.
 SHADOWCONESDATA_EXPORT std::vector<Cone> ConesEverywhere(const Box& region, std::size_t lights);
-/// @p cones, or ConesEverywhere where @p region reaches out of the box in which the set is proved: shadow may be anywhere there.
+/// @p cones, or ConesEverywhere where @p region reaches out of the box @p proved in which the set is proved, which is empty where
+/// it has none (ReadCertifiedBounds): shadow may be anywhere there.
 SHADOWCONESDATA_EXPORT std::vector<Cone> ConesFor(
-  const Box& region, std::size_t lights, vtkFieldData* data, const std::vector<Cone>& cones);
+  const Box& region, std::size_t lights, const Box& proved, const std::vector<Cone>& cones);
 
 /// What a cone set's field data says of its proof.
 struct ConeCertificate

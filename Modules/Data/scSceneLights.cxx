@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scSceneLights.h"
 
+#include "scConeData.h"
+#include "scFingerprints.h"
 #include "scLightData.h"
 #include "scMeshBlocks.h"
+#include "scMeshData.h"
 #include "scSentence.h"
+#include "scWarnings.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
@@ -225,6 +229,41 @@ bool ReadLights(vtkInformationVector* port, SceneLights& lights, std::string& er
     }
   }
   return true;
+}
+
+bool AreProved(vtkPolyData* coneSet, const std::vector<Cone>& cones, const TriangleMesh& mesh,
+  const std::vector<Light>& lights, const char* input, std::string& changed)
+{
+  vtkFieldData* data = coneSet->GetFieldData();
+  vtkDataArray* certified = data->GetArray("Certified");
+  if (!certified || certified->GetNumberOfValues() == 0 || certified->GetComponent(0, 0) == 0.0)
+  {
+    return false;
+  }
+  const std::vector<int> matches = MatchLights(ReadLightFingerprints(data), lights);
+  std::vector<Light> asProved;
+  for (const int match : matches)
+  {
+    if (match >= 0)
+    {
+      asProved.push_back(lights[static_cast<std::size_t>(match)]);
+    }
+  }
+  if (asProved.size() != lights.size() || matches.size() != lights.size())
+  {
+    return false; // AssignCones says it
+  }
+  std::string why;
+  if (ReadConeCertificate(data, cones, mesh.View(), asProved, why).Certified)
+  {
+    return true;
+  }
+  const std::vector<std::uint64_t> casters = ReadFingerprints(castersFingerprint, data);
+  if (casters.empty() || casters.front() == CastersFingerprintOf(mesh))
+  {
+    changed = ConesChanged(input);
+  }
+  return false;
 }
 
 void AssignCones(vtkPolyData* coneSet, SceneLights& lights, std::vector<Cone>& cones)

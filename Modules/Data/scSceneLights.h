@@ -22,6 +22,8 @@ class vtkPolyData;
 namespace shadowcones
 {
 
+struct TriangleMesh;
+
 /// All lights of a scene, in the order of connections and blocks: the k-th has the "LightId" k.
 struct SHADOWCONESDATA_EXPORT SceneLights
 {
@@ -54,6 +56,14 @@ SHADOWCONESDATA_EXPORT bool ReadLights(vtkInformationVector* port, SceneLights& 
  * -1 or another id that is no light's. Cones without "LightId" are repeated for each of several lights, which warns.
  */
 SHADOWCONESDATA_EXPORT void AssignCones(vtkPolyData* coneSet, SceneLights& lights, std::vector<Cone>& cones);
+
+/**
+ * Are cones, as they were read from @p coneSet and before AssignCones, proved for these casters and lights, in whatever
+ * order these come? @param changed gets a sentence where the set says so of other cones than these, those of @p input ("The
+ * cone set on input port 1").
+ */
+SHADOWCONESDATA_EXPORT bool AreProved(vtkPolyData* coneSet, const std::vector<Cone>& cones, const TriangleMesh& mesh,
+  const std::vector<Light>& lights, const char* input, std::string& changed);
 
 /**
  * Put the grids of a visibility volume in the order of the lights: by "LightFingerprint", or where there is none (or

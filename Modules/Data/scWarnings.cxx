@@ -248,12 +248,13 @@ std::string OccludersWithoutVectors(const std::vector<int>& casters, const std::
     : std::string();
 }
 
-std::string TooFewVectors(vtkIdType scarce, vtkIdType minimum)
+std::string TooFewVectors(vtkIdType scarce, vtkIdType minimum, vtkIdType needed)
 {
   return scarce > 0
     ? Sentence(scarce, " times an occluder has fewer than ", minimum,
-        " shadow vectors of a light, though photons were aimed at it: hardly any light reaches it, or it is thin. Take more "
-        "photons, or set MinimumVectorsPerOccluder to 0.")
+        " shadow vectors of a light, though photons were aimed at it: hardly any light reaches it, or it is thin. ",
+        needed > 0 ? Sentence("About ", needed, " photons are needed: SetNumberOfPhotons(", needed, ")") : "Take more photons",
+        ", or set MinimumVectorsPerOccluder to 0.")
     : std::string();
 }
 
@@ -326,14 +327,21 @@ std::string ConesLeak(double leak)
     : std::string();
 }
 
-std::string TooManyDiscarded(vtkFieldData* field)
+std::string TooManyDiscarded(vtkFieldData* field, bool proved)
 {
   const double discarded = FirstValue(field, "DiscardedFraction", 0.0);
-  return discarded > mostDiscarded && FirstValue(field, "Certified", 0.0) == 0.0
+  return discarded > mostDiscarded && !proved
     ? Sentence(Percent(discarded),
         " of the shadow vectors lie in no cone, and the cones are taken for all that can be in shadow: shadows outside "
         "them count as lit. Take more vectors, set Overlap on, raise VarianceThreshold, or SetTuningToConservative().")
     : std::string();
+}
+
+std::string ConesChanged(const char* input)
+{
+  return std::string(input) +
+    " says that it is proved, but not of these cones: they were cut, scaled or edited since, or some were left out. They "
+    "are taken as not proved, and shadow outside them counts as lit. Use the cone set as vtkConeSetFilter makes it.";
 }
 
 std::string EmptyConeSet(vtkIdType cones, vtkIdType castingTriangles)

@@ -46,8 +46,8 @@ SHADOWCONESDATA_EXPORT std::string NothingLit(vtkIdType photons, vtkIdType block
 /// @p casters one id a triangle, @p vectors one id a vector; negative ids cast no shadow.
 SHADOWCONESDATA_EXPORT std::string OccludersWithoutVectors(
   const std::vector<int>& casters, const std::vector<int>& vectors);
-/// @p scarce pairs of an occluder and a light with some vectors, but fewer than @p minimum.
-SHADOWCONESDATA_EXPORT std::string TooFewVectors(vtkIdType scarce, vtkIdType minimum);
+/// @p scarce pairs of an occluder and a light with some vectors, but fewer than @p minimum; @p needed photons would do, 0: not known.
+SHADOWCONESDATA_EXPORT std::string TooFewVectors(vtkIdType scarce, vtkIdType minimum, vtkIdType needed);
 SHADOWCONESDATA_EXPORT std::string TargetNotMet(vtkIdType vectors, vtkIdType target, vtkIdType photons);
 
 /// vtkConeSetFilter. @p names of parameters that were set and that tuning chooses itself.
@@ -64,7 +64,9 @@ SHADOWCONESDATA_EXPORT std::string OccludersWithoutCone(
 SHADOWCONESDATA_EXPORT std::string ConesLeak(double leak);
 
 /// Filters that take a cone set for the bounds of the shadow. @p field is the cone set's; a proved set is not doubted.
-SHADOWCONESDATA_EXPORT std::string TooManyDiscarded(vtkFieldData* field);
+SHADOWCONESDATA_EXPORT std::string TooManyDiscarded(vtkFieldData* field, bool proved);
+/// A set that says that it is proved, of other cones than it has. @p input names it with its port.
+SHADOWCONESDATA_EXPORT std::string ConesChanged(const char* input);
 SHADOWCONESDATA_EXPORT std::string EmptyConeSet(vtkIdType cones, vtkIdType castingTriangles);
 
 /// vtkConeSetProbe, vtkVisibilityVolume, vtkConeSetAccuracy: places that were asked ("points", "samples").

@@ -4,6 +4,7 @@
 #include "scArrivingLightData.h"
 #include "scCone.h"
 #include "scConeData.h"
+#include "scFieldArrays.h"
 #include "scFilterRun.h"
 #include "scFingerprints.h"
 #include "scInputPorts.h"
@@ -51,6 +52,7 @@ struct vtkConeSetProbe::Inputs
 {
   ProbePoints Points;
   std::vector<Cone> Cones;
+  bool Proved = false; ///< the cone set, for this mesh and these lights
   SceneLights Lights;
   std::shared_ptr<const PreparedMesh> Mesh; ///< Exact: its casters; else an empty one
   std::vector<std::string> OccluderNames;
@@ -182,14 +184,20 @@ bool vtkConeSetProbe::ReadInputs(
     UndoCosineCorrection(coneData, in.Cones);
   }
   const std::size_t lights = in.Lights.Lights.size();
+  if (coneInput && exact)
+  {
+    std::string changed;
+    in.Proved = AreProved(coneInput, in.Cones, in.Mesh->Mesh, in.Lights.Lights, "The cone set on input port 1", changed);
+    in.Said.Add(changed);
+  }
   if (coneInput)
   {
     AssignCones(coneInput, in.Lights, in.Cones);
   }
   if (exact)
   {
-    in.Cones =
-      coneInput ? ConesFor(in.Points.Bounds, lights, coneData, in.Cones) : ConesEverywhere(in.Points.Bounds, lights);
+    in.Cones = coneInput ? ConesFor(in.Points.Bounds, lights, ReadCertifiedBounds(coneData), in.Cones)
+                         : ConesEverywhere(in.Points.Bounds, lights);
   }
   return true;
 }
@@ -282,13 +290,14 @@ int vtkConeSetProbe::RequestData(
   WriteLightFingerprints(in.Lights.Lights, output);
   WriteOccluderNames(in.OccluderNames, output->GetFieldData());
   WriteFingerprints(castersFingerprint, in.Fingerprints, output->GetFieldData());
+  AddIntArray(output->GetFieldData(), "Certified", 1, { in.Proved || (!coneInput && this->Method == Exact) ? 1 : 0 });
   vtkDataSetAttributes* data = atCells ? static_cast<vtkDataSetAttributes*>(output->GetCellData()) : output->GetPointData();
   WriteVisibility(result, static_cast<int>(lights), in.Points.Items, in.Points.NumberOfItems, data);
   WriteArrivingLight(result, in.Lights.Lights, in.Arriving, in.Points.Items, in.Points.NumberOfItems, data);
   const auto numberOfCones = static_cast<vtkIdType>(in.Cones.size());
   in.Said.Add(in.Lights.Warnings);
   in.Said.Add(EmptyConeSet(numberOfCones, static_cast<vtkIdType>(in.Mesh->Mesh.Triangles.size() / 3)));
-  in.Said.Add(this->Method == Exact ? TooManyDiscarded(coneData) : std::string());
+  in.Said.Add(this->Method == Exact ? TooManyDiscarded(coneData, in.Proved) : std::string());
   if (RequestedPiece(request, outputVector).NumberOfPieces == 1)
   {
     const char* const what = atCells ? "cells" : "points";

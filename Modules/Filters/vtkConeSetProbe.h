@@ -35,7 +35,9 @@
  * "CastersFingerprint" say of what mesh. On the dark side of the light, and where only the surface
  * itself hides the light, Visibility is 0, ShadowClass 2, OccluderId -1. Each array has one component a light, in the
  * order of connections and blocks, and a light is asked for inside its own cones ("LightId"). Field data
- * "LightFingerprint" (unsigned 64-bit, one value a light).
+ * "LightFingerprint" (unsigned 64-bit, one value a light) and "Certified" (int; Exact: 1 where the cones are proved for this
+ * mesh and these lights, or where there are none). Where points lie out of the box in which a set is proved
+ * ("CertifiedBounds") all are asked.
  *
  * On request, light that arrives, from all lights together: "Irradiance" (float, one component a wavelength, W m^-2: the
  * integral of radiance x visibility x cosine over the side of the normal), "FluenceRate" (float, one a wavelength, W m^-2: the

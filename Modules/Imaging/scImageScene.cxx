@@ -59,14 +59,20 @@ void CompareCasters(const ImageInputs& inputs, ImageScene& scene)
   }
 }
 
+/// Modes that ask for shadow inside the cones, and take all outside for lit.
+bool TakesBounds(ScatteringMode mode)
+{
+  return mode == ScatteringMode::Medium || mode == ScatteringMode::Guided;
+}
+
 /// What is to be said of the cones, before any is used.
 void WarnOfCones(const ImageInputs& inputs, ImageScene& scene)
 {
   const ScatteringMode mode = scene.Options.Mode;
   scene.Said.Add(EmptyConeSet(static_cast<vtkIdType>(scene.Cones.size()), scene.Mesh->NumberOfCasters));
-  if (mode == ScatteringMode::Medium || mode == ScatteringMode::Guided || mode == ScatteringMode::Volume)
+  if (TakesBounds(mode) || mode == ScatteringMode::Volume)
   {
-    scene.Said.Add(TooManyDiscarded(inputs.Cones->GetFieldData()));
+    scene.Said.Add(TooManyDiscarded(inputs.Cones->GetFieldData(), scene.ConesProved));
   }
 }
 
@@ -95,6 +101,17 @@ bool FillSoftGrids(const std::vector<std::vector<Cone>>& conesOf, const Monitor&
       return made;
     });
   return scene.Grids != nullptr;
+}
+
+/// Do the certificate's cones, as they were read, stand for this scene, and where?
+void ReadProof(const ImageInputs& inputs, ImageScene& scene)
+{
+  std::string changed;
+  scene.CertifiedBounds = ReadCertifiedBounds(inputs.Cones->GetFieldData());
+  scene.ConesProved = AreProved(
+    inputs.Cones, scene.Cones, scene.Mesh->Mesh, scene.Lights.Lights, "The cone set on input port 2", changed);
+  scene.Said.Add(changed);
+  scene.ConesProved = scene.ConesProved && scene.ConeLength == 0.0;
 }
 } // anonymous namespace
 
@@ -165,7 +182,7 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
     scene.Options.SurfaceReflectance = reflectance->Reflectance.Values;
   }
 
-  if (!ReadPointNormals(scene.Mesh, scene.Options.SurfaceNormals, error))
+  if (!ReadPointNormals(scene.Mesh->Mesh, scene.Options.SurfaceNormals, error))
   {
     return false;
   }
@@ -179,6 +196,10 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
   if (scene.HasCones && mode == ScatteringMode::Soft)
   {
     UndoCosineCorrection(inputs.Cones->GetFieldData(), scene.Cones);
+  }
+  if (scene.HasCones && TakesBounds(mode))
+  {
+    ReadProof(inputs, scene);
   }
   if (scene.HasCones)
   {
@@ -270,7 +291,13 @@ bool RenderScene(ImageScene& scene, const std::vector<std::array<int, 4>>& exten
   const bool isSoft = scene.Options.Mode == ScatteringMode::Soft;
   const std::shared_ptr<const PreparedOccluders> occluders = PrepareOccluders(scene.Prepared, scene.Mesh);
   const std::vector<Light>& lights = scene.Lights.Lights;
-  const std::vector<std::vector<Cone>> conesOf = ConesOfLights(scene.Cones, lights.size());
+  // Surfaces outside the medium lie in shadow too.
+  Box bounds = scene.Medium.Bounds;
+  bounds.Add(scene.Mesh->Bounds);
+  // Cones that are cut on purpose stay so.
+  const bool cut = scene.ConeLength > 0.0;
+  const std::vector<std::vector<Cone>> conesOf = ConesOfLights(
+    ConesFor(bounds, lights.size(), cut ? Box{} : scene.CertifiedBounds, scene.Cones), lights.size());
   if (isSoft && !FillSoftGrids(conesOf, monitor.Part(0.0, shareOfSoft), scene))
   {
     return false;
@@ -278,11 +305,7 @@ bool RenderScene(ImageScene& scene, const std::vector<std::array<int, 4>>& exten
   std::shared_ptr<const PreparedCones> cones;
   if (scene.HasCones && !isSoft)
   {
-    // Surfaces outside the medium lie in shadow too.
-    Box bounds = scene.Medium.Bounds;
-    bounds.Add(scene.Mesh->Bounds);
-    const double length = scene.ConeLength > 0.0 ? scene.ConeLength : HUGE_VAL;
-    cones = PrepareCones(scene.Prepared, scene.ConeStamps, conesOf, bounds, length);
+    cones = PrepareCones(scene.Prepared, scene.ConeStamps, conesOf, bounds, cut ? scene.ConeLength : HUGE_VAL);
   }
   std::vector<ScatteringScene> scenes;
   for (std::size_t k = 0; k < lights.size(); ++k)

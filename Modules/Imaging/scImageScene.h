@@ -58,6 +58,8 @@ struct ImageScene
   std::shared_ptr<const PreparedMesh> Mesh; ///< without one an empty mesh
   SceneLights Lights;
   bool HasCones = false;
+  bool ConesProved = false; ///< of Medium and Guided: all that is hidden lies in the cones, as a fact
+  Box CertifiedBounds;      ///< the box in which the cones hold, whoever proved them; empty: everywhere, or not proved
   std::vector<Cone> Cones;
   std::shared_ptr<const PreparedGrids> Grids; ///< one a light; Volume: as read; Soft: filled by RenderScene()
   std::shared_ptr<const PreparedDensity> Density;

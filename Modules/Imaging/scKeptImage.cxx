@@ -58,6 +58,10 @@ void KeptImage::KeepPixels(const ScatteringImage& image, const ImageScene& scene
   vtkFieldData* field = pixels->GetFieldData();
   AddIntArray(field, "Mode", 1, { static_cast<int>(scene.Options.Mode) });
   AddIntArray(field, "Seed", 1, { static_cast<int>(scene.Options.Seed) });
+  if (scene.HasCones)
+  {
+    AddIntArray(field, "Certified", 1, { scene.ConesProved ? 1 : 0 });
+  }
   AddDoubleArray(field, "RelativeErrorGoal", 1, { scene.Options.RelativeErrorGoal });
   AddIdArray(field, "NumberOfOcclusionRays", { image.NumberOfOcclusionRays });
   AddDoubleArray(field, "RenderSeconds", 1, { seconds });

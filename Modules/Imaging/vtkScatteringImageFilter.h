@@ -82,7 +82,10 @@
  * (double; the one array that differs from run to run), "CameraPosition", "CameraFocalPoint", "CameraViewUp" (double, 3
  * components), "CameraViewAngle" (double, degrees), "CameraParallelProjection" (int), "CameraParallelScale" (double),
  * "SigmaS", "SigmaA" (double, one component a wavelength sample), "MediumBounds" (double, 6 components),
- * "LightWavelengths" (double, nm, one tuple a wavelength sample), "Exposure" (double; that was used).
+ * "LightWavelengths" (double, nm, one tuple a wavelength sample), "Exposure" (double; that was used). With a cone set
+ * "Certified" (int): 1 in Medium and Guided where the cones are proved for this mesh and these lights and are not cut,
+ * else 0. Where medium or mesh reach out of the box in which a set is proved ("CertifiedBounds") rays are sent from
+ * everywhere.
  *
  * The last image is kept for another exposure: its arrays are those of the output, which costs no memory while that lives
  * (4 bytes for each wavelength of four arrays and 16 more a pixel: 128 bytes with seven wavelengths).

@@ -48,6 +48,7 @@ constexpr int meshPort = 2;
 struct vtkVisibilityVolume::Scene
 {
   std::vector<Cone> Cones;
+  bool Proved = false; ///< the cone set, for this mesh and these lights
   SceneLights Lights;
   std::shared_ptr<const PreparedMesh> Mesh; ///< its casters; without one an empty mesh
   Box Bounds;                               ///< empty: there is nothing
@@ -174,6 +175,12 @@ bool vtkVisibilityVolume::ReadInputs(vtkInformationVector** inputs, Scene& scene
       scene.Mesh->CastersFingerprint, meshPort, coneData, "The cone set on input port 0", scene.Said) };
   }
   scene.Mesh = PrepareCasters(*this->Prepared, scene.Mesh);
+  if (cones && this->Method == Exact)
+  {
+    std::string changed;
+    scene.Proved = AreProved(cones, scene.Cones, scene.Mesh->Mesh, scene.Lights.Lights, "The cone set on input port 0", changed);
+    scene.Said.Add(changed);
+  }
   if (this->Method == Soft)
   {
     UndoCosineCorrection(coneData, scene.Cones);
@@ -287,7 +294,7 @@ int vtkVisibilityVolume::RequestData(
   }
   else if (this->Method == Exact)
   {
-    scene.Cones = ConesFor(scene.Bounds, lights, coneData, scene.Cones);
+    scene.Cones = ConesFor(scene.Bounds, lights, ReadCertifiedBounds(coneData), scene.Cones);
   }
   std::vector<VisibilityGrid> grids;
   try
@@ -317,6 +324,7 @@ int vtkVisibilityVolume::RequestData(
   AddDoubleArray(field, "RefinementThreshold", 1, { this->RefinementThreshold });
   AddIntArray(field, "Seed", 1, { this->Seed });
   AddIdArray(field, "NumberOfOcclusionRays", { rays });
+  AddIntArray(field, "Certified", 1, { scene.Proved || (!cones && this->Method == Exact) ? 1 : 0 });
   WriteLightFingerprints(scene.Lights.Lights, output);
   this->Warn(grids, coneData, scene, output->GetNumberOfPoints());
   return 1;
@@ -331,7 +339,7 @@ void vtkVisibilityVolume::Warn(
   const auto numberOfCones = static_cast<vtkIdType>(scene.Cones.size());
   warnings.Add(
     EmptyConeSet(numberOfCones, this->Method == Exact ? static_cast<vtkIdType>(scene.Mesh->Mesh.Triangles.size() / 3) : 0));
-  warnings.Add(this->Method == Exact ? TooManyDiscarded(coneField) : std::string());
+  warnings.Add(this->Method == Exact ? TooManyDiscarded(coneField, scene.Proved) : std::string());
   for (const VisibilityGrid& grid : grids)
   {
     warnings.Add(TooCoarse(grid, "Raise Dimensions or BrickParts, or take a smaller box."));

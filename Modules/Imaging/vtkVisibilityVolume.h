@@ -42,7 +42,9 @@
  * and "BrickVisibility" (float, (BrickParts + 1)^3 components: the values of the brick's points, i fastest, the cell's
  * own corners among them), of several lights one after the other, with "BrickLightId" (int). "LightFingerprint"
  * (unsigned 64-bit, one value a light). "Method", "NumberOfLightSamples", "Seed" (int), "RefinementThreshold" (double),
- * "NumberOfOcclusionRays" (vtkIdType; of this extent).
+ * "NumberOfOcclusionRays" (vtkIdType; of this extent), "Certified" (int; Exact: 1 where the cones are proved for this mesh
+ * and these lights, or where there are none). Where the box reaches out of that in which a set is proved
+ * ("CertifiedBounds") every point is asked.
  *
  * The bytes are the same for any number of threads and for any division into extents; a brick comes with the extent
  * that holds all corners of its cell.

@@ -3,6 +3,7 @@
 #include "vtkConeSetProbe.h"
 
 #include "Messages.h"
+#include "ProvedCones.h"
 #include "TestPolyData.h"
 
 #include "scConeData.h"
@@ -564,13 +565,27 @@ TEST_F(ConeSetProbe, BeyondTheBoundsOfAProofEveryPointIsAsked)
   elsewhere.Normal = elsewhere.Axis;
   vtkNew<vtkPolyData> cones;
   WriteConeSet({ elsewhere }, cones);
-  ConeCertificate certificate;
-  certificate.Certified = true;
-  certificate.Bounds = { { -3.0, 0.0, -3.0 }, { 3.0, 3.0, 3.0 } };
-  WriteConeCertificate(certificate, cones->GetFieldData());
+  CertifyIn({ { -3.0, 0.0, -3.0 }, { 3.0, 3.0, 3.0 } }, cones);
   this->Filter->SetConeSetData(cones);
   EXPECT_EQ(this->At(0.0, 0.2, 0.0), 1.0) << "as the cones say";
   EXPECT_LT(this->At(0.0, -0.2, 0.0), 1.0);
+}
+
+TEST_F(ConeSetProbe, AProvedSetThatWasEditedIsNotProved)
+{
+  const auto cones = ProvedConesOf(Mesh(), this->Light);
+  this->Filter->SetConeSetData(cones);
+  Messages messages(this->Filter);
+  const auto certified = [this]()
+  { return this->Probed(Grid())->GetFieldData()->GetArray("Certified")->GetComponent(0, 0); };
+  EXPECT_EQ(certified(), 1.0);
+  EXPECT_EQ(messages.Warnings, "");
+  cones->GetPointData()->GetArray("HalfAngle")->SetComponent(0, 0, 0.01);
+  this->Filter->Modified();
+  EXPECT_EQ(certified(), 0.0);
+  EXPECT_SAYS(messages.Warnings, "The cone set on input port 1 says that it is proved, but not of these cones");
+  this->Filter->SetConeSetConnection(nullptr); // every point is asked
+  EXPECT_EQ(certified(), 1.0);
 }
 
 TEST_F(ConeSetProbe, PrintsEveryParameter)

@@ -4,6 +4,7 @@
 #include "vtkVisibilityVolume.h"
 
 #include "ImageTesting.h"
+#include "ProvedCones.h"
 
 using namespace imagetesting;
 
@@ -99,6 +100,37 @@ TEST_F(ImageWarnings, AConeSetThatDiscardsMuch)
   EXPECT_EQ(this->Warnings(), "");
   this->Volume->SetInputData(cones);
   EXPECT_SAYS(this->VolumeWarnings(), "50 % of the shadow vectors lie in no cone");
+}
+
+TEST_F(ImageWarnings, AProvedSetThatWasEditedIsNotProved)
+{
+  this->ConnectDisc();
+  auto cones = ProvedConesOf(Disc(), this->Light);
+  this->Filter->SetConeSetData(cones);
+  this->Volume->SetInputData(cones);
+  this->Filter->SetRelativeErrorGoal(0.0); // no goal to miss
+  for (const int mode : { vtkScatteringImageFilter::Medium, vtkScatteringImageFilter::Guided })
+  {
+    this->Filter->SetMode(mode);
+    EXPECT_EQ(this->Warnings(), "") << mode;
+    EXPECT_EQ(Field(this->Image(), "Certified"), 1.0) << mode;
+  }
+  this->VolumeWarnings();
+  EXPECT_EQ(Field(this->Volume->GetOutput(), "Certified"), 1.0);
+  this->Filter->SetConeLength(100.0); // a cut that its user asks for
+  EXPECT_EQ(this->Warnings(), "");
+  EXPECT_EQ(Field(this->Image(), "Certified"), 0.0);
+  this->Filter->SetConeLength(0.0);
+
+  vtkDataArray* radii = cones->GetPointData()->GetArray("BaseRadius");
+  radii->SetComponent(0, 0, 1.01 * radii->GetComponent(0, 0));
+  EXPECT_SAYS(this->Warnings(), "The cone set on input port 2 says that it is proved, but not of these cones");
+  EXPECT_EQ(Field(this->Image(), "Certified"), 0.0);
+  EXPECT_SAYS(this->VolumeWarnings(), "The cone set on input port 0 says that it is proved, but not of these cones");
+  EXPECT_EQ(Field(this->Volume->GetOutput(), "Certified"), 0.0);
+  // Then vectors without a cone count.
+  shadowcones::AddDoubleArray(cones->GetFieldData(), "DiscardedFraction", 1, { 0.5 });
+  EXPECT_SAYS(this->Warnings(), "50 % of the shadow vectors lie in no cone");
 }
 
 TEST_F(ImageWarnings, AVolumeSmallerThanTheMedium)

@@ -3,6 +3,7 @@
 #include "vtkScatteringImageFilter.h"
 
 #include "ImageTesting.h"
+#include "ProvedCones.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -71,6 +72,25 @@ TEST_F(ScatteringImageFilter, MediumHasTheBytesOfBruteForceAndFastIsDarker)
   // Cut short, the cones darken less (section 5).
   this->Filter->SetConeLength(1.5);
   EXPECT_GT(Sum(this->Image(), "InScattering"), Sum(fast, "InScattering"));
+}
+
+TEST_F(ScatteringImageFilter, BeyondTheBoundsOfAProofItAsksEverywhere)
+{
+  const auto truth = this->Image();
+  // A set that holds nothing here, as if it were proved above y = 0 alone.
+  auto cones = ConeSetOf({ MakeCone({ 50.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, 0.1, 0.1, 0) });
+  CertifyIn({ { -2.0, 0.0, -2.0 }, { 2.0, 2.0, 2.0 } }, cones);
+  this->Filter->SetConeSetData(cones);
+  this->Filter->SetModeToMedium();
+  ExpectSameBytes(truth, this->Image());
+  this->Filter->SetModeToGuided();
+  EXPECT_NEAR(Sum(this->Image(), "InScattering"), Sum(truth, "InScattering"), 0.03 * Sum(truth, "InScattering"));
+  // Everywhere, it says: then nothing is in shadow.
+  CertifyIn({}, cones);
+  this->Filter->Modified();
+  EXPECT_GT(Sum(this->Image(), "InScattering"), 1.05 * Sum(truth, "InScattering"));
+  this->Filter->SetModeToMedium();
+  EXPECT_GT(Sum(this->Image(), "InScattering"), 1.05 * Sum(truth, "InScattering"));
 }
 
 TEST_F(ScatteringImageFilter, FastCastsShadowsOfOtherOccludersOnSurfaces)

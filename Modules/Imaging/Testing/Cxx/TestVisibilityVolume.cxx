@@ -3,6 +3,7 @@
 #include "vtkVisibilityVolume.h"
 
 #include "ImageTesting.h"
+#include "ProvedCones.h"
 
 #include "scConeData.h"
 #include "scFieldArrays.h"
@@ -307,6 +308,20 @@ TEST_F(VisibilityVolume, ExactNeedsNoCones)
   this->Filter->SetMethodToSoft();
   this->Filter->Update();
   EXPECT_NE(messages.Errors.find("There is no cone set."), std::string::npos) << messages.Errors;
+}
+
+TEST_F(VisibilityVolume, BeyondTheBoundsOfAProofEveryPointIsAsked)
+{
+  const double darkest = this->Volume()->GetPointData()->GetArray("Visibility")->GetRange()[0];
+  EXPECT_LT(darkest, 0.1);
+  // A set that holds nothing here, as if it were proved above y = 0 alone.
+  auto cones = ConeSetOf({ MakeCone({ 50.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, 0.1, 0.1, 0) });
+  CertifyIn({ { -2.0, 0.0, -2.0 }, { 2.0, 2.0, 2.0 } }, cones);
+  this->Filter->SetInputData(cones);
+  EXPECT_EQ(this->Volume()->GetPointData()->GetArray("Visibility")->GetRange()[0], darkest);
+  CertifyIn({}, cones); // everywhere
+  this->Filter->Modified();
+  EXPECT_EQ(this->Volume()->GetPointData()->GetArray("Visibility")->GetRange()[0], 1.0);
 }
 
 TEST_F(VisibilityVolume, AnEmptyConeSetLeavesEverythingLit)
