@@ -2,6 +2,7 @@
 #include "vtkConeSetAccuracy.h"
 
 #include "scAccuracyData.h"
+#include "scCasterBoxes.h"
 #include "scConeData.h"
 #include "scConeProofCheck.h"
 #include "scFilterRun.h"
@@ -25,9 +26,9 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <map>
 
 namespace
 {
@@ -40,19 +41,14 @@ constexpr int lightPort = 3;
 /// A closed box around each occluder.
 TriangleMesh BoxesAround(const TriangleMesh& mesh)
 {
-  std::map<int, Box> boxes;
-  const TriangleMeshView view = mesh.View();
-  for (vtkIdType i = 0; i < 3 * view.NumberOfTriangles; ++i)
-  {
-    boxes[view.OccluderId(i / 3)].Add(view.Corner(i / 3, static_cast<int>(i % 3)));
-  }
+  const CasterBoxes casters = BoxesOfCasters(mesh.View());
   TriangleMesh result;
   constexpr int faces[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 2, 3, 1 },
     { 4, 5, 7, 6 } };
-  for (const auto& one : boxes)
+  for (std::size_t k = 0; k < casters.Ids.size(); ++k)
   {
     const auto first = static_cast<vtkIdType>(result.Points.size() / 3);
-    const Box& b = one.second;
+    const Box& b = casters.Boxes[k];
     for (int i = 0; i < 8; ++i)
     {
       result.Points.insert(
@@ -62,7 +58,7 @@ TriangleMesh BoxesAround(const TriangleMesh& mesh)
     {
       result.Triangles.insert(
         result.Triangles.end(), { first + f[0], first + f[1], first + f[2], first + f[0], first + f[2], first + f[3] });
-      result.OccluderIds.insert(result.OccluderIds.end(), 2, one.first);
+      result.OccluderIds.insert(result.OccluderIds.end(), 2, casters.Ids[k]);
     }
   }
   return result;
@@ -299,7 +295,7 @@ int vtkConeSetAccuracy::RequestData(
     const auto inShadow = static_cast<vtkIdType>(report.All.TruePositives + report.All.FalseNegatives);
     in.Said.Add(NoPlaceInShadow("samples", count, inShadow, coneCount));
     in.Said.Add(NoPlaceLit("samples", count, count - static_cast<vtkIdType>(report.All.Umbra)));
-    in.Said.Add(TooManyDiscarded(in.ConeSet->GetFieldData()));
+    in.Said.Add(TooManyDiscarded(in.ConeSet->GetFieldData(), out.Proved));
   }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {

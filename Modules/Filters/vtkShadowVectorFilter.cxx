@@ -46,7 +46,7 @@ Warnings ReportPhotons(const TriangleMesh& mesh, const ShadowVectorOptions& opti
   Warnings warnings;
   warnings.Add(few.empty() && !mesh.Triangles.empty() ? NothingInShadow(photons, blocked) : few);
   warnings.Add(NothingLit(paths, blocked, result.MeanSolidAngle));
-  warnings.Add(TooFewVectors(result.NumberOfScarce, result.MinimumVectors));
+  warnings.Add(TooFewVectors(result.NumberOfScarce, result.MinimumVectors, result.PhotonsForScarce));
   warnings.Add(blocked > 0 ? OccludersWithoutVectors(mesh.OccluderIds, result.Vectors.OccluderIds) : std::string());
   return warnings;
 }

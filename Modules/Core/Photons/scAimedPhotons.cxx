@@ -143,15 +143,31 @@ public:
   /// Photons that one of so many bundles may have, for so many occluders.
   vtkIdType MostPhotons(std::size_t bundles, std::size_t occluders) const
   {
-    constexpr vtkIdType photonsPerVector = 256;
     const vtkIdType enough = photonsPerVector * this->Vectors * static_cast<vtkIdType>(occluders);
     const vtkIdType all = this->IsPoor ? this->Options.NumberOfPhotons / 10 * 9 : this->Options.NumberOfPhotons / 2;
     return this->InPhotons ? std::min(enough, all / static_cast<vtkIdType>(bundles)) : enough;
   }
 
+  /**
+   * NumberOfPhotons of which a bundle, one of so many, would have enough for all that it is asked for, as far as its photons
+   * tell; 0: it would give up before, or vectors and not photons were asked for.
+   */
+  vtkIdType PhotonsFor(const AimedBundle& bundle, std::size_t bundles) const
+  {
+    // Few vectors tell it: there may be fewer the next time.
+    const auto few = static_cast<double>(bundle.Fewest());
+    const double sure = 0.8 * std::max(few - std::sqrt(few), 0.4 * few);
+    const auto asked = static_cast<double>(this->Options.MinimumVectorsPerOccluder);
+    const double own = asked * static_cast<double>(bundle.Photons) / sure;
+    const double most = static_cast<double>(photonsPerVector) * asked * static_cast<double>(bundle.Ids.size());
+    return this->InPhotons && own <= most ? static_cast<vtkIdType>(std::ceil(2.0 * own * static_cast<double>(bundles))) : 0;
+  }
+
   vtkIdType Vectors = 0; ///< that each occluder is to have of each light
 
 private:
+  static constexpr vtkIdType photonsPerVector = 256; ///< a bundle gives up beyond
+
   /// Expected vectors that are hardly ever fewer than the wanted ones.
   double Safe() const
   {
@@ -285,10 +301,18 @@ bool TraceAimedPhotons(const PhotonTracing& tracing, const TriangleMeshView& mes
     return false;
   }
   result.MinimumVectors = goal.Vectors;
+  bool isKnown = true;
   for (AimedBundle& bundle : aimed)
   {
+    if (bundle.Fewest() > 0 && bundle.Fewest() < goal.Vectors)
+    {
+      const vtkIdType photons = goal.PhotonsFor(bundle, aimed.size());
+      isKnown = isKnown && photons > 0;
+      result.PhotonsForScarce = std::max(result.PhotonsForScarce, photons);
+    }
     Keep(bundle, tracing.Bundles, result);
   }
+  result.PhotonsForScarce = isKnown ? result.PhotonsForScarce : 0;
   ofOthers = goal.GetLeastOfOthers();
   return true;
 }

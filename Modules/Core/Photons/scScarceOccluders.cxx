@@ -2,7 +2,6 @@
 #include "scScarceOccluders.h"
 
 #include <algorithm>
-#include <map>
 
 namespace shadowcones
 {
@@ -51,29 +50,6 @@ Box Widened(const Box& box)
   return { box.Min - margin, box.Max + margin };
 }
 } // anonymous namespace
-
-CasterBoxes BoxesOfCasters(const TriangleMeshView& mesh)
-{
-  std::map<int, Box> boxes;
-  for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
-  {
-    if (mesh.OccluderId(t) >= 0)
-    {
-      Box& box = boxes[mesh.OccluderId(t)];
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        box.Add(mesh.Corner(t, corner));
-      }
-    }
-  }
-  CasterBoxes casters;
-  for (const auto& [id, box] : boxes)
-  {
-    casters.Ids.push_back(id);
-    casters.Boxes.push_back(box);
-  }
-  return casters;
-}
 
 std::vector<ScarceOccluders> BoxesToAimAt(const CasterBoxes& casters, const std::vector<bool>& scarce, std::size_t most)
 {

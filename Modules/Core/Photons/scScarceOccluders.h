@@ -6,7 +6,7 @@
 #ifndef scScarceOccluders_h
 #define scScarceOccluders_h
 
-#include "scTriangleMesh.h"
+#include "scCasterBoxes.h"
 
 #include <vector>
 
@@ -19,14 +19,6 @@ struct ScarceOccluders
   std::vector<int> Ids; ///< ascending
   Box Bounds;           ///< with a margin, through which light passes beside them
 };
-
-/// The ids of a mesh's casters, ascending, and their boxes.
-struct CasterBoxes
-{
-  std::vector<int> Ids;
-  std::vector<Box> Boxes;
-};
-CasterBoxes BoxesOfCasters(const TriangleMeshView& mesh);
 
 /**
  * Boxes around the occluders whose entries in @p scarce are true: one each, or where there are more than @p most around groups

@@ -87,6 +87,8 @@ struct ShadowVectorResult
   double MeanSolidAngle = 0.0;            ///< sr, into which photons were aimed, mean over those traced
   vtkIdType MinimumVectors = 0;           ///< that each occluder was to have of each light
   vtkIdType NumberOfScarce = 0;       ///< pairs of an occluder and a light that have fewer nevertheless, and not none
+  /// NumberOfPhotons that would give these MinimumVectorsPerOccluder, about; 0: none would, or a target was asked for.
+  vtkIdType PhotonsForScarce = 0;
   vtkIdType NumberOfAimedPhotons = 0; ///< the first ones
 };
 

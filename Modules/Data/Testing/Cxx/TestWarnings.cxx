@@ -79,15 +79,21 @@ TEST(Warnings, Cones)
   EXPECT_EQ(EmptyConeSet(0, 0), "");
 
   vtkNew<vtkFieldData> field;
-  EXPECT_EQ(TooManyDiscarded(nullptr), "");
-  EXPECT_EQ(TooManyDiscarded(field), "");
+  EXPECT_EQ(TooManyDiscarded(nullptr, false), "");
+  EXPECT_EQ(TooManyDiscarded(field, false), "");
   AddDoubleArray(field, "DiscardedFraction", 1, { 0.42 });
-  ExpectSays(TooManyDiscarded(field), "42 % of the shadow vectors");
-  AddIntArray(field, "Certified", 1, { 1 });
-  EXPECT_EQ(TooManyDiscarded(field), "");
-  AddIntArray(field, "Certified", 1, { 0 });
+  ExpectSays(TooManyDiscarded(field, false), "42 % of the shadow vectors");
+  EXPECT_EQ(TooManyDiscarded(field, true), "");
   AddDoubleArray(field, "DiscardedFraction", 1, { 0.3 });
-  EXPECT_EQ(TooManyDiscarded(field), "");
+  EXPECT_EQ(TooManyDiscarded(field, false), "");
+}
+
+TEST(Warnings, PhotonsOfScarceOccluders)
+{
+  EXPECT_EQ(TooFewVectors(0, 32, 0), "");
+  ExpectSays(TooFewVectors(2, 32, 0), "2 times an occluder has fewer than 32 shadow vectors");
+  ExpectSays(TooFewVectors(2, 32, 0), "Take more photons, or");
+  ExpectSays(TooFewVectors(2, 32, 9000), "About 9000 photons are needed: SetNumberOfPhotons(9000), or");
 }
 
 TEST(Warnings, Places)

@@ -147,6 +147,31 @@ TEST(ScarceOccluders, TheyAreTakenOutOfTheNumberOfPhotons)
   EXPECT_GE(VectorsOf(result)[1], 32);
 }
 
+TEST(ScarceOccluders, ThePhotonsThatAreNeededAreEnough)
+{
+  ShadowVectorOptions options = Aimed(0);
+  TestMesh mesh = FarHouses(200.0);
+  mesh.AddSheet({ 100.0, 0.0, 2.0 }, { 0.05, 0.0, 0.0 }, { 0.0, 30.0, 0.0 }, 2); // far thinner than the margins around it
+  options.NumberOfPhotons = 600;
+  const ShadowVectorResult few = Trace(mesh, { Sun() }, options);
+  ASSERT_GT(few.NumberOfScarce, 0);
+  ASSERT_GT(few.PhotonsForScarce, options.NumberOfPhotons);
+  // Who does as it says is there at once, or after one more time.
+  options.NumberOfPhotons = few.PhotonsForScarce;
+  ShadowVectorResult enough = Trace(mesh, { Sun() }, options);
+  if (enough.NumberOfScarce > 0)
+  {
+    EXPECT_GT(enough.PhotonsForScarce, options.NumberOfPhotons);
+    options.NumberOfPhotons = enough.PhotonsForScarce;
+    enough = Trace(mesh, { Sun() }, options);
+  }
+  EXPECT_EQ(enough.NumberOfScarce, 0);
+  EXPECT_EQ(enough.PhotonsForScarce, 0);
+  EXPECT_LT(options.NumberOfPhotons, 100000);
+  // With a target the photons are as many as it takes.
+  EXPECT_EQ(Trace(mesh, { Sun() }, Aimed(100)).PhotonsForScarce, 0);
+}
+
 TEST(ScarceOccluders, AnEvenShareIsTheMost)
 {
   TestMesh mesh;
