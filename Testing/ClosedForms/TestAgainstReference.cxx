@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -149,6 +150,29 @@ TEST_P(AgainstReference, Radiance)
 
 INSTANTIATE_TEST_SUITE_P(Scenes, AgainstReference, testing::Values("chair", "tree", "blob"),
   [](const testing::TestParamInfo<const char*>& info) { return std::string(info.param); });
+
+TEST(AgainstReferenceLights, FacesShineAsTheRectangleThatTheyMake)
+{
+  const Light whole = RectangleLight({ 0.0, 5.4, 0.0 }, { 0.6, 0.0, 0.0 }, { 0.0, 0.0, 0.4 }, { 1.0 });
+  Light faces;
+  faces.Shape = LightShape::Mesh;
+  const Vector3 a{ -0.6, 5.4, -0.4 };
+  const Vector3 b{ 0.6, 5.4, -0.4 };
+  const Vector3 c{ 0.6, 5.4, 0.4 };
+  const Vector3 d{ -0.6, 5.4, 0.4 };
+  faces.Triangles = { { a, b, c }, { a, c, d } };
+  faces.Spectrum = { 1.0 };
+  faces = Prepared(faces);
+  const Scene scene = Load("chair");
+  const auto shine = [&](const Light& light) {
+    return ReferenceInScattering(*scene.Slow, light, RoomMedium(1), RoomCamera(), 5, 6, 12, 12, 16384, 3);
+  };
+  const ReferenceEstimate one = shine(whole);
+  const ReferenceEstimate other = shine(faces);
+  ASSERT_GT(one.Mean[0], 0.0);
+  EXPECT_LT(one.StandardError[0], 0.05 * one.Mean[0]);
+  EXPECT_NEAR(other.Mean[0], one.Mean[0], 4.0 * std::hypot(one.StandardError[0], other.StandardError[0]));
+}
 
 TEST(AgainstReferenceCones, RaysThroughCones)
 {

@@ -272,7 +272,8 @@ public:
       return {};
     }
     const double byArea = draw.Distance * draw.Distance / (cosine * this->Area);
-    draw.Weight = 1.0 / ((1.0 - share) * byArea + share / (2.0 * Pi * (1.0 - coneCosine)));
+    const double bySolidAngle = share > 0.0 ? share / (2.0 * Pi * (1.0 - coneCosine)) : 0.0;
+    draw.Weight = 1.0 / ((1.0 - share) * byArea + bySolidAngle);
     return draw;
   }
 
