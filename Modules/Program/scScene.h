@@ -6,6 +6,7 @@
 #ifndef scScene_h
 #define scScene_h
 
+#include "vtkAlgorithm.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -16,7 +17,6 @@ namespace CLI
 {
 class App;
 }
-class vtkAlgorithm;
 class vtkAreaLightSource;
 class vtkLabelOccluders;
 class vtkSceneDefaults;

@@ -1,0 +1,51 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sun through blinds into a hazy room: beams between the slats, their stripes on table and floor."""
+
+import common
+import numpy as np
+import shadowcones as sc
+
+ROOM = (0, 6, 0, 3, -2, 2)
+
+
+def brick(x0, x1, y0, y1, z0, z1):
+    """A box as (points, faces)."""
+    points = [(x, y, z) for z in (z0, z1) for y in (y0, y1) for x in (x0, x1)]
+    return points, [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+
+
+def blinds(number):
+    """Slats across the window, turned a little against the Sun."""
+    slats = []
+    for height in np.linspace(0.93, 2.46, number):
+        points, faces = brick(-0.09, -0.01, height, height + 0.006, -1.2, 1.2)
+        slats.append(([(x, y - 0.5 * (x + 0.05), z) for x, y, z in points], faces))
+    return slats
+
+
+def room():
+    """A wall with a window, a floor, a ceiling, three more walls, a table."""
+    walls = [brick(-0.1, 0, 0, 0.9, -2, 2), brick(-0.1, 0, 2.5, 3, -2, 2), brick(-0.1, 0, 0.9, 2.5, -2, -1.2),
+             brick(-0.1, 0, 0.9, 2.5, 1.2, 2), brick(0, 6, -0.1, 0, -2, 2), brick(0, 6, 3, 3.1, -2, 2),
+             brick(6, 6.1, 0, 3, -2, 2), brick(0, 6, 0, 3, -2.1, -2), brick(0, 6, 0, 3, 2, 2.1)]
+    table = [brick(2.2, 3.4, 0.7, 0.75, -0.6, 0.6)]
+    table += [brick(x, x + 0.06, 0, 0.7, z, z + 0.06) for x in (2.25, 3.3) for z in (-0.55, 0.5)]
+    return walls + table
+
+
+def main():
+    options = common.parser(__doc__, 1200)
+    options.add_argument("--goal", type=float, default=0.02, help="relative error of a pixel (default: 0.02)")
+    arguments = common.parse(options)
+    shot = sc.light_shafts(
+        room() + blinds(14), "sun: direction 1,-0.42,-0.12 irradiance 800 W/m2",
+        camera=((4.6, 1.6, 1.85), (1.2, 1.3, -0.4), (0, 1, 0)), size=(arguments.size, arguments.size * 5 // 8),
+        error=arguments.goal, medium=ROOM, sigma_s=0.12, asymmetry=0.4, view_angle=62)
+    path = f"{arguments.output}/blinds.png"
+    shot.save(path)
+    print(f"wrote {path}: {shot}")
+
+
+if __name__ == "__main__":
+    main()
