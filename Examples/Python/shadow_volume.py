@@ -52,10 +52,10 @@ def shadow_solids(cones, resolution):
     return solids
 
 
-def cut(solid):
-    """The half behind a plane through the middle of the room, closed again."""
+def cut(solid, z=0.02):
+    """The half behind a plane across z, closed again; by default through the middle of the room."""
     plane = vtkPlane()
-    plane.SetOrigin(0.0, 0.0, 0.02)
+    plane.SetOrigin(0.0, 0.0, z)
     plane.SetNormal(0.0, 0.0, -1.0)
     planes = vtkPlaneCollection()
     planes.AddItem(plane)

@@ -390,7 +390,7 @@ std::string OccludersWithoutSurface(vtkIdType without, vtkIdType occluders)
 {
   return without > 0
     ? Sentence(without, " of ", occluders,
-        " occluders have no surface: their cones lie outside Bounds, or are thinner than a cell. Raise Resolution, or "
+        " occluders have no surface: their shadows lie outside Bounds, or are thinner than a cell. Raise Resolution, or "
         "widen Bounds.")
     : std::string();
 }
@@ -402,6 +402,21 @@ std::string SunNeverUp(vtkIdType steps, double minimum, double highest)
         " steps of its path: the highest is at ", highest,
         " degrees, and all hours are 0. Check Latitude, Longitude, Start and End of the vtkSunPath.")
     : std::string();
+}
+
+std::string SolidsOfSeveralParts(vtkIdType several, vtkIdType occluders)
+{
+  return several > 0
+    ? Sentence(several, " of ", occluders,
+        " solids are made of several convex parts, which overlap where their shadows do and are not united. Use "
+        "SetMethodToVisibility() for one surface.")
+    : std::string();
+}
+
+std::string InnerConesNotProved()
+{
+  return "The mesh is connected, but neither the light is nor does the cone set carry it: inner cones are not proved. "
+         "Connect the light with SetLightConnection.";
 }
 
 std::string TrianglesDropped(vtkIdType dropped, vtkIdType triangles)

@@ -81,6 +81,9 @@ SHADOWCONESDATA_EXPORT std::string OutOfFirstBounds(const Box& scene);
 
 /// vtkShadowVolume.
 SHADOWCONESDATA_EXPORT std::string OccludersWithoutSurface(vtkIdType without, vtkIdType occluders);
+/// Of Projection: of so many solids those that are several in one.
+SHADOWCONESDATA_EXPORT std::string SolidsOfSeveralParts(vtkIdType several, vtkIdType occluders);
+SHADOWCONESDATA_EXPORT std::string InnerConesNotProved();
 
 /// vtkSunHours: of @p steps, none with the Sun above the @p minimum altitude; the @p highest is, degrees.
 SHADOWCONESDATA_EXPORT std::string SunNeverUp(vtkIdType steps, double minimum, double highest);

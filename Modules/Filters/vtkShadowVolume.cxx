@@ -5,26 +5,30 @@
 #include "scConeDistanceField.h"
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
+#include "scFingerprints.h"
+#include "scInnerConeProof.h"
+#include "scInputPorts.h"
 #include "scLightData.h"
+#include "scMeshData.h"
+#include "scOccluderNames.h"
 #include "scOptionalBounds.h"
 #include "scParameterRanges.h"
+#include "scProjectedShadow.h"
 #include "scRegularGrid.h"
+#include "scSceneLights.h"
 #include "scSentence.h"
+#include "scShadowField.h"
+#include "scSolidData.h"
 #include "scUmbraField.h"
+#include "scVisibilityData.h"
 #include "scWarnings.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -32,128 +36,27 @@
 #include <exception>
 #include <functional>
 #include <map>
-#include <sstream>
 #include <utility>
 
 namespace
 {
 using namespace shadowcones;
 
-constexpr vtkIdType largestNumberOfSamples = vtkIdType(1) << 28;
-/// A surface keeps this share of a cell away from grid points: neighbours of a point then have room for triangles.
-constexpr double smallestShare = 0.02;
-/// Cells smaller than this share of their coordinates lose their digits.
-constexpr double smallestCell = 1e-13;
+constexpr int volumePort = 1;
+constexpr int meshPort = 2;
+constexpr int lightPort = 3;
 
-/// What a surface bounds the shadow of: a light, and an occluder or -1 for all.
-using SurfaceKey = std::pair<int, int>;
 /// Cones of one surface each, in ascending order of their keys.
-using Groups = std::vector<std::pair<SurfaceKey, std::vector<Cone>>>;
+using Groups = std::vector<std::pair<SolidKey, std::vector<Cone>>>;
 
 Groups GroupCones(const std::vector<Cone>& cones, bool perOccluder)
 {
-  std::map<SurfaceKey, std::vector<Cone>> groups;
+  std::map<SolidKey, std::vector<Cone>> groups;
   for (const Cone& cone : cones)
   {
     groups[{ cone.LightId, perOccluder ? cone.OccluderId : -1 }].push_back(cone);
   }
   return { groups.begin(), groups.end() };
-}
-
-/// Collects closed surfaces.
-class SolidBuilder
-{
-public:
-  /// Contour the field's zero; @p values is changed.
-  void AddSurface(const RegularGrid& grid, std::vector<float>& values, const SurfaceKey& key)
-  {
-    const double nearest = smallestShare * std::min({ grid.Spacing.X, grid.Spacing.Y, grid.Spacing.Z });
-    for (float& value : values)
-    {
-      value = static_cast<float>(value < 0.0f ? std::min<double>(value, -nearest) : std::max<double>(value, nearest));
-    }
-    vtkNew<vtkFloatArray> scalars;
-    scalars->SetArray(values.data(), static_cast<vtkIdType>(values.size()), 1);
-    vtkNew<vtkImageData> image; // in units of cells: its points are in single precision
-    image->SetDimensions(grid.Dimensions.data());
-    image->GetPointData()->SetScalars(scalars);
-    vtkNew<vtkFlyingEdges3D> contour;
-    contour->SetInputData(image);
-    contour->SetValue(0, 0.0);
-    contour->ComputeNormalsOff();
-    contour->ComputeScalarsOff();
-    contour->Update();
-    this->Append(contour->GetOutput(), grid, key);
-  }
-
-  /// Did the last occluder with triangles have this id?
-  bool EndsWith(int occluderId) const { return !this->OccluderIds.empty() && this->OccluderIds.back() == occluderId; }
-
-  void Finish(vtkPolyData* output, vtkFieldData* fieldData)
-  {
-    output->SetPoints(this->Points);
-    output->SetPolys(this->Triangles);
-    AddIntArray(output->GetCellData(), "OccluderId", 1, this->OccluderIds);
-    AddIntArray(output->GetCellData(), "LightId", 1, this->LightIds);
-    output->GetFieldData()->PassData(fieldData);
-  }
-
-  SolidBuilder() { this->Points->SetDataTypeToDouble(); }
-
-private:
-  void Append(vtkPolyData* surface, const RegularGrid& grid, const SurfaceKey& key)
-  {
-    const vtkIdType first = this->Points->GetNumberOfPoints();
-    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      surface->GetPoint(i, p);
-      this->Points->InsertNextPoint(grid.Origin.X + p[0] * grid.Spacing.X, grid.Origin.Y + p[1] * grid.Spacing.Y,
-        grid.Origin.Z + p[2] * grid.Spacing.Z);
-    }
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    vtkCellArray* triangles = surface->GetPolys();
-    for (triangles->InitTraversal(); triangles->GetNextCell(count, ids);)
-    {
-      // The contour faces the way the field falls, which is inward.
-      const vtkIdType triangle[3] = { first + ids[0], first + ids[2], first + ids[1] };
-      this->Triangles->InsertNextCell(3, triangle);
-      this->LightIds.push_back(key.first);
-      this->OccluderIds.push_back(key.second);
-    }
-  }
-
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Triangles;
-  std::vector<int> OccluderIds;
-  std::vector<int> LightIds;
-};
-
-/// What a grid over the region would need that cannot be had; empty where it can.
-std::string CheckRegion(const Box& region, int resolution)
-{
-  std::ostringstream fault;
-  const Vector3 size = region.Size();
-  double largest = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    largest = std::max({ largest, std::abs(region.Min[axis]), std::abs(region.Max[axis]) });
-  }
-  const double cell = std::max({ size.X, size.Y, size.Z }) / resolution;
-  if (!std::isfinite(region.Diagonal()) || !(cell > smallestCell * largest))
-  {
-    fault << "cells of " << cell << " at coordinates up to " << largest
-          << ", beyond double precision: set Bounds or Length.";
-    return fault.str();
-  }
-  const vtkIdType samples = GridOver(region, resolution).NumberOfPoints();
-  if (samples > largestNumberOfSamples)
-  {
-    fault << samples << " samples at Resolution " << resolution << ", more than " << largestNumberOfSamples
-          << ": lower Resolution.";
-  }
-  return fault.str();
 }
 
 /// A region to contour, and the field in it.
@@ -180,7 +83,7 @@ Solid JointUmbra(const std::vector<Cone>& cones, const Light& light, double leng
   const ConeDistanceField inner(cones, ConeBound::Inner, length, bounds);
   Solid solid;
   solid.Region = field.Region();
-  if (!solid.Region.Empty() && CheckRegion(solid.Region, resolution).empty())
+  if (!solid.Region.Empty() && CheckSolidRegion(solid.Region, resolution).empty())
   {
     solid.Region = field.Find(solid.Region, (resolution + 1) / 2, monitor);
   }
@@ -201,47 +104,21 @@ Solid JointUmbra(const std::vector<Cone>& cones, const Light& light, double leng
   return solid;
 }
 
-/// The exact shape of every light that cones are of, from the field data of the cone set.
-bool ReadLightsOf(vtkPolyData* coneSet, const std::vector<Cone>& cones, std::vector<Light>& lights, std::string& error)
+/// The exact shapes of the lights that cones are of, from the field data of the cone set; @p known: of every cone.
+bool ReadLightsOf(
+  vtkFieldData* data, const std::vector<Cone>& cones, std::vector<Light>& lights, bool& known, std::string& error)
 {
-  if (!ReadLightShapes(coneSet->GetFieldData(), lights, error))
+  if (!ReadLightShapes(data, lights, error))
   {
     return false;
   }
-  const bool known = std::all_of(cones.begin(), cones.end(),
+  known = std::all_of(cones.begin(), cones.end(),
     [&](const Cone& cone)
     {
       const auto id = static_cast<std::size_t>(cone.LightId);
-      return cone.LightId >= 0 && id < lights.size() && lights[id].Shape != LightShape::Mesh;
+      return cone.LightId >= 0 && id < lights.size() &&
+        (lights[id].Shape != LightShape::Mesh || !lights[id].Triangles.empty() || !lights[id].Vertices.empty());
     });
-  if (!known)
-  {
-    error = "Umbra is BaseDiscs, but the field data of the cone set does not carry the light (\"LightShape\"): use "
-            "InnerCones, or cones of a light of vtkAreaLightSource.";
-  }
-  return known;
-}
-
-/// Sample a solid and add its surface. @return false, with what it needs in @p error where it is too large, or aborted.
-bool Contour(const Solid& solid, const SurfaceKey& occluder, int resolution, const Monitor& monitor,
-  SolidBuilder& surfaces, std::string& error)
-{
-  if (solid.Region.Empty())
-  {
-    return true;
-  }
-  error = CheckRegion(solid.Region, resolution);
-  if (!error.empty())
-  {
-    return false;
-  }
-  const RegularGrid grid = GridOver(solid.Region, resolution);
-  std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
-  if (!solid.Sample(grid, monitor, values.data()))
-  {
-    return false;
-  }
-  surfaces.AddSurface(grid, values, occluder);
   return true;
 }
 
@@ -256,13 +133,147 @@ double DiagonalOfBases(const std::vector<Cone>& cones)
   }
   return box.Diagonal();
 }
+
+/// The smallest box around what two boxes share; empty where they share no volume.
+Box Shared(const Box& a, const Box& b)
+{
+  const Box box{ { std::max(a.Min.X, b.Min.X), std::max(a.Min.Y, b.Min.Y), std::max(a.Min.Z, b.Min.Z) },
+    { std::min(a.Max.X, b.Max.X), std::min(a.Max.Y, b.Max.Y), std::min(a.Max.Z, b.Max.Z) } };
+  const Vector3 size = box.Size();
+  return size.X > 0.0 && size.Y > 0.0 && size.Z > 0.0 ? box : Box{};
+}
 } // anonymous namespace
+
+/// What there is to make solids of.
+struct vtkShadowVolume::Inputs
+{
+  std::vector<Cone> Cones;
+  vtkNew<vtkFieldData> ConeData;
+  TriangleMesh Mesh;
+  SceneLights Lights;
+  std::vector<VisibilityGrid> Volume; ///< one a light, or none
+  Box Cut;                            ///< Bounds, or those of the volume; empty: none
+  bool LimitedByCones = false;        ///< the cones are proved for this mesh and these lights
+  std::vector<std::string> OccluderNames;
+  std::vector<std::uint64_t> CastersFingerprints;
+  Warnings Said;
+
+  /// Where shadow of casters in a box may be that is asked for.
+  Box RegionOf(const Box& casters, int light, double length) const
+  {
+    Box joint = this->Cut;
+    joint.Add(casters);
+    const bool cut = !this->Cut.Empty();
+    const double reach = length > 0.0 ? length : (cut ? joint : MeshBounds(this->Mesh.View())).Diagonal();
+    Box region = ShadowReach(casters, this->Lights.Lights[static_cast<std::size_t>(light)], reach);
+    region = cut ? Shared(region, this->Cut) : Shared(region, region);
+    if (!this->Volume.empty() && !region.Empty())
+    {
+      const VisibilityGrid& grid = this->Volume[static_cast<std::size_t>(light)];
+      const Box whole = BoundsOf(grid);
+      const bool covered = whole.Contains(region.Min) && whole.Contains(region.Max);
+      region = covered ? Shared(region, ShadowOf(grid)) : region;
+    }
+    if (this->LimitedByCones && !region.Empty())
+    {
+      const auto own = ConesOfLights(this->Cones, this->Lights.Lights.size());
+      region = ConeDistanceField(own[static_cast<std::size_t>(light)], ConeBound::Outer, HUGE_VAL, region).Region();
+    }
+    return region;
+  }
+};
+
+/// Solids in the making: those of the requested piece.
+struct vtkShadowVolume::Work
+{
+  PieceRequest Piece;
+  Monitor Whole;
+  SolidBuilder Solids[2]; ///< outer, inner
+  vtkIdType Surfaces = 0; ///< that were asked for
+  vtkIdType WithSurface = 0;
+  vtkIdType WithSeveralParts = 0;
+  std::string Error;
+
+  /// The part of the monitor that belongs to step @p i of so many.
+  Monitor Step(vtkIdType i, vtkIdType count) const
+  {
+    return this->Whole.Part(0.2 + 0.8 * static_cast<double>(i) / count, 0.2 + 0.8 * static_cast<double>(i + 1) / count);
+  }
+  /// True where the grid over a region can be had; else Error says why not.
+  bool Check(const Box& region, int resolution, bool inner, const SolidKey& key)
+  {
+    const std::string fault = CheckSolidRegion(region, resolution);
+    this->Error = fault.empty()
+      ? fault
+      : Sentence("The ", inner ? "inner" : "outer", " bound of occluder ", key.second, " needs ", fault);
+    return fault.empty();
+  }
+  /// Sample a solid and add its surface.
+  bool Contour(const Solid& solid, const SolidKey& key, int resolution, bool inner, const Monitor& monitor)
+  {
+    if (solid.Region.Empty())
+    {
+      return true;
+    }
+    if (!this->Check(solid.Region, resolution, inner, key))
+    {
+      return false;
+    }
+    const RegularGrid grid = GridOver(solid.Region, resolution);
+    std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
+    if (!solid.Sample(grid, monitor, values.data()))
+    {
+      return false;
+    }
+    this->Solids[inner ? 1 : 0].AddContour(grid, values, key);
+    return true;
+  }
+  /// The same of what is truly seen.
+  bool Contour(
+    const ShadowField& field, Box& region, const SolidKey& key, int resolution, bool inner, const Monitor& monitor)
+  {
+    const ShadowBound bound = inner ? ShadowBound::Inner : ShadowBound::Outer;
+    if (!region.Empty() && !this->Check(region, resolution, inner, key))
+    {
+      return false;
+    }
+    region = region.Empty() ? region : field.Find(region, bound, resolution, monitor.Part(0.0, 0.2));
+    if (region.Empty() || monitor.IsAborted())
+    {
+      return !monitor.IsAborted();
+    }
+    const RegularGrid grid = GridOver(region, resolution);
+    std::vector<unsigned char> inside(static_cast<std::size_t>(grid.NumberOfPoints()));
+    if (!field.Classify(grid, bound, monitor.Part(0.2, 0.6), inside.data()))
+    {
+      return false;
+    }
+    GridSurface surface = SurfaceBetween(grid, inside);
+    if (!field.Place(grid, bound, monitor.Part(0.6, 1.0), surface))
+    {
+      return false;
+    }
+    this->Solids[inner ? 1 : 0].Add(grid, surface, key);
+    return true;
+  }
+};
 
 vtkStandardNewMacro(vtkShadowVolume);
 
 vtkShadowVolume::vtkShadowVolume()
 {
+  this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(2);
+}
+
+scDefineInputPort(vtkShadowVolume, VisibilityVolume, volumePort);
+scDefineInputPort(vtkShadowVolume, Mesh, meshPort);
+scDefineLightPort(vtkShadowVolume, lightPort);
+
+int vtkShadowVolume::FillInputPortInformation(int port, vtkInformation* info)
+{
+  FillScenePortInformation(port, meshPort, lightPort, port == volumePort ? "vtkImageData" : "vtkPolyData", info);
+  return 1;
 }
 
 bool vtkShadowVolume::HasBounds() const
@@ -286,78 +297,273 @@ int vtkShadowVolume::RequestUpdateExtent(vtkInformation*, vtkInformationVector**
 
 std::string vtkShadowVolume::CheckParameters() const
 {
-  return FirstOutOfRange(
-    { InRange("Resolution", this->Resolution, 4, 1024), OneOf("Umbra", this->Umbra, { "InnerCones", "BaseDiscs" }),
-      { "Length", this->Length, this->Length >= 0.0 && std::isfinite(this->Length), "0 or above and finite" } });
+  return FirstOutOfRange({ OneOf("Method", this->Method, { "Cones", "Visibility", "Projection" }),
+    InRange("Resolution", this->Resolution, 4, 1024), OneOf("Umbra", this->Umbra, { "InnerCones", "BaseDiscs" }),
+    InRange("NumberOfLightSamples", this->NumberOfLightSamples, 1, mostLightSamples),
+    { "Length", this->Length, this->Length >= 0.0 && std::isfinite(this->Length), "0 or above and finite" } });
+}
+
+std::string vtkShadowVolume::CheckConnections(vtkInformationVector** inputVector) const
+{
+  if (this->Method == Cones)
+  {
+    return vtkPolyData::GetData(inputVector[0])
+      ? std::string()
+      : "No cone set on input port 0: connect a vtkConeSetFilter, or connect mesh and light and use "
+        "SetMethodToVisibility().";
+  }
+  if (!vtkDataObject::GetData(inputVector[meshPort]))
+  {
+    return "Visibility and Projection need the mesh on input port 2: connect it with SetMeshConnection, or use "
+           "SetMethodToCones().";
+  }
+  return inputVector[lightPort]->GetNumberOfInformationObjects() > 0
+    ? std::string()
+    : "Visibility and Projection need a light on input port 3: connect a vtkAreaLightSource or a polygon mesh with "
+      "SetLightConnection.";
+}
+
+bool vtkShadowVolume::ReadMeshAndLights(vtkInformationVector** inputVector, Inputs& in, std::string& error) const
+{
+  vtkPolyData* cones = vtkPolyData::GetData(inputVector[0]);
+  vtkDataObject* mesh = vtkDataObject::GetData(inputVector[meshPort]);
+  vtkImageData* volume = vtkImageData::GetData(inputVector[volumePort]);
+  const bool lit = inputVector[lightPort]->GetNumberOfInformationObjects() > 0;
+  if ((lit && !ReadLights(inputVector[lightPort], in.Lights, error)) || (mesh && !ReadTriangles(mesh, in.Mesh, error)))
+  {
+    return false;
+  }
+  if (in.Mesh.Triangles.empty() && in.Mesh.NumberOfCells > 0)
+  {
+    error = Sentence("The mesh on input port 2 has ", in.Mesh.NumberOfCells,
+      " cells and no polygon: shadows need surfaces. Run vtkDataSetSurfaceFilter first.");
+    return false;
+  }
+  if (mesh)
+  {
+    in.OccluderNames = in.Mesh.OccluderNames;
+    in.CastersFingerprints = { CompareCasters(
+      in.Mesh, meshPort, in.ConeData, "The cone set on input port 0", in.Said) };
+    DropReceivers(in.Mesh);
+  }
+  if (lit && cones)
+  {
+    AssignCones(cones, in.Lights, in.Cones);
+  }
+  if (volume && this->Method == Visibility)
+  {
+    std::string warning;
+    if (!ReadVisibilityGrids(volume, in.Volume, error, warning) ||
+      !AssignGrids(volume->GetFieldData(), in.Lights, in.Volume, error))
+    {
+      return false;
+    }
+    CompareCasters(in.Mesh, meshPort, volume->GetFieldData(), "The visibility volume on input port 1", in.Said);
+    in.Cut = this->HasBounds() ? in.Cut : BoundsOf(in.Volume.front());
+  }
+  return true;
+}
+
+bool vtkShadowVolume::ReadInputs(vtkInformationVector** inputVector, Inputs& in, std::string& error) const
+{
+  vtkPolyData* cones = vtkPolyData::GetData(inputVector[0]);
+  error = this->CheckParameters();
+  error = error.empty() ? this->CheckConnections(inputVector) : error;
+  if (!error.empty() || (this->HasBounds() && !ReadSolidBounds("Bounds", this->Bounds, in.Cut, error)) ||
+    (cones && !ReadConeSet(cones, in.Cones, error)))
+  {
+    return false;
+  }
+  if (cones)
+  {
+    in.ConeData->PassData(cones->GetFieldData());
+  }
+  if (!this->ReadMeshAndLights(inputVector, in, error))
+  {
+    return false;
+  }
+  if (this->Method != Cones && cones)
+  {
+    std::string why;
+    const ConeCertificate certificate =
+      ReadConeCertificate(in.ConeData, in.Cones, in.Mesh.View(), in.Lights.Lights, why);
+    in.LimitedByCones = certificate.Certified && certificate.Bounds.Empty();
+  }
+  return true;
+}
+
+bool vtkShadowVolume::BuildFromCones(Inputs& in, Work& work) const
+{
+  const double length = this->Length > 0.0 ? this->Length : this->HasBounds() ? HUGE_VAL : DiagonalOfBases(in.Cones);
+  if (!in.Cones.empty() && !(length > 0.0))
+  {
+    work.Error = "The base discs of the cone set have no extent to take a length from: set Length or Bounds.";
+    return false;
+  }
+  std::vector<Light> lights = in.Lights.Lights;
+  bool known = !lights.empty();
+  const bool isOfDiscs = this->Umbra == BaseDiscs;
+  if (!known && (isOfDiscs || !in.Mesh.Triangles.empty()) && !in.Cones.empty() &&
+    !ReadLightsOf(in.ConeData, in.Cones, lights, known, work.Error))
+  {
+    return false;
+  }
+  if (isOfDiscs && !known && !in.Cones.empty())
+  {
+    work.Error =
+      "Umbra is BaseDiscs, but the field data of the cone set does not carry the light (\"LightShape\"): use "
+      "InnerCones, or cones of a light of vtkAreaLightSource.";
+    return false;
+  }
+  std::vector<Cone> inner = in.Cones;
+  const bool proves = !isOfDiscs && !in.Mesh.Triangles.empty();
+  if (proves && known)
+  {
+    const OccluderScene scene(in.Mesh.View());
+    InnerConeProof proof;
+    if (!ProveInnerCones(scene, lights, in.Cones, work.Whole.Part(0.0, 0.2), proof))
+    {
+      return false;
+    }
+    inner = proof.Cones;
+    AddIdArray(in.ConeData, "NumberOfWholeInnerCones", { proof.Whole });
+    AddIdArray(in.ConeData, "NumberOfShrunkInnerCones", { proof.Shrunk });
+    AddIdArray(in.ConeData, "NumberOfDroppedInnerCones", { proof.Dropped });
+  }
+  in.Said.Add(proves && !known && !in.Cones.empty() ? InnerConesNotProved() : std::string());
+  AddIntArray(in.ConeData, "InnerCertified", 1, { proves && known ? 1 : 0 });
+
+  const Groups groups = GroupCones(in.Cones, this->PerOccluder);
+  std::map<SolidKey, std::vector<Cone>> innerOf;
+  for (auto& group : GroupCones(inner, this->PerOccluder))
+  {
+    innerOf[group.first] = std::move(group.second);
+  }
+  const vtkIdType begin = work.Piece.Begin(static_cast<vtkIdType>(groups.size()));
+  const vtkIdType end = work.Piece.End(static_cast<vtkIdType>(groups.size()));
+  work.Surfaces = end - begin;
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    const SolidKey key = groups[i].first;
+    const Monitor part = work.Step(i - begin, end - begin);
+    const Solid outer = UnionOfCones(groups[i].second, ConeBound::Outer, length, in.Cut);
+    if (part.IsAborted() || !work.Contour(outer, key, this->Resolution, false, part.Part(0.0, 0.5)))
+    {
+      return false;
+    }
+    work.WithSurface += !outer.Region.Empty() && work.Solids[0].EndsWith(key.second) ? 1 : 0;
+    const auto light = static_cast<std::size_t>(std::max(key.first, 0));
+    const Solid hidden = isOfDiscs
+      ? JointUmbra(groups[i].second, lights[light], length, in.Cut, this->Resolution, part.Part(0.5, 0.65))
+      : UnionOfCones(innerOf[key], ConeBound::Inner, length, in.Cut);
+    if (part.IsAborted() || !work.Contour(hidden, key, this->Resolution, true, part.Part(0.65, 1.0)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool vtkShadowVolume::BuildFromMesh(Inputs& in, Work& work) const
+{
+  const std::map<int, TriangleMesh> occluders = SplitOccluders(in.Mesh, this->PerOccluder);
+  std::vector<SolidKey> keys;
+  for (int light = 0; light < static_cast<int>(in.Lights.Lights.size()); ++light)
+  {
+    for (const auto& occluder : occluders)
+    {
+      keys.emplace_back(light, occluder.first);
+    }
+    if (this->Method == Projection && !HasHardShadows(in.Lights.Lights[static_cast<std::size_t>(light)]))
+    {
+      work.Error = Sentence("Light ", light,
+        " has a width, and casts soft shadows: Projection is for point lights and Suns of AngularDiameter 0. Use "
+        "SetMethodToVisibility().");
+      return false;
+    }
+  }
+  AddIntArray(in.ConeData, "InnerCertified", 1, { this->Method == Projection ? 1 : 0 });
+  const vtkIdType begin = work.Piece.Begin(static_cast<vtkIdType>(keys.size()));
+  const vtkIdType end = work.Piece.End(static_cast<vtkIdType>(keys.size()));
+  work.Surfaces = end - begin;
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    const SolidKey key = keys[i];
+    const TriangleMesh& mesh = occluders.at(key.second);
+    const Light& light = in.Lights.Lights[static_cast<std::size_t>(key.first)];
+    Box region = in.RegionOf(MeshBounds(mesh.View()), key.first, this->Length);
+    const Monitor part = work.Step(i - begin, end - begin);
+    if (part.IsAborted())
+    {
+      return false;
+    }
+    if (this->Method == Projection)
+    {
+      ProjectedShadow shadow;
+      std::string fault;
+      if (!region.Empty() && !ProjectShadow(mesh.View(), light, region, shadow, fault))
+      {
+        work.Error = Sentence("Occluder ", key.second, " ", fault);
+        return false;
+      }
+      work.WithSeveralParts += shadow.NumberOfSolids > 1 ? 1 : 0;
+      work.Solids[0].Add(shadow, key);
+      work.Solids[1].Add(shadow, key);
+    }
+    else
+    {
+      const OccluderScene scene(mesh.View());
+      const ShadowField field(scene, light, this->NumberOfLightSamples);
+      if (!work.Contour(field, region, key, this->Resolution, false, part.Part(0.0, 0.5)) ||
+        !work.Contour(field, region, key, this->Resolution, true, part.Part(0.5, 1.0)))
+      {
+        return false;
+      }
+    }
+    work.WithSurface += !region.Empty() && work.Solids[0].EndsWith(key.second) ? 1 : 0;
+  }
+  return true;
 }
 
 int vtkShadowVolume::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const FilterRun run(this, request, inputVector, outputVector);
+  Inputs in;
   std::string error;
-  if (!run.AreInputsWhole(error))
+  const FilterRun run(this, request, inputVector, outputVector);
+  if (!run.AreInputsWhole(error) || !this->ReadInputs(inputVector, in, error))
   {
     return run.Fail(error);
   }
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  std::vector<Cone> cones;
-  Box bounds;
-  error = this->CheckParameters();
-  if (!error.empty() || (this->HasBounds() && !ReadSolidBounds("Bounds", this->Bounds, bounds, error)) ||
-    !ReadConeSet(input, cones, error))
-  {
-    return run.Fail(error);
-  }
-  const double length = this->Length > 0.0 ? this->Length : this->HasBounds() ? HUGE_VAL : DiagonalOfBases(cones);
-  if (!cones.empty() && !(length > 0.0))
-  {
-    return run.Fail("The base discs of the cone set have no extent to take a length from: set Length or Bounds.");
-  }
-
-  std::vector<Light> lights;
-  if (!cones.empty() && this->Umbra == BaseDiscs && !ReadLightsOf(input, cones, lights, error))
-  {
-    return run.Fail(error);
-  }
-
-  const Groups groups = GroupCones(cones, this->PerOccluder);
-  const PieceRequest piece = RequestedPiece(request, outputVector);
-  const vtkIdType begin = piece.Begin(static_cast<vtkIdType>(groups.size()));
-  const vtkIdType end = piece.End(static_cast<vtkIdType>(groups.size()));
-  const Monitor monitor = MonitorOf(this);
-  SolidBuilder solids[2];
-  vtkIdType withSurface = 0; // outer ones
+  Work work;
+  work.Piece = RequestedPiece(request, outputVector);
+  work.Whole = MonitorOf(this);
   try
   {
-    for (vtkIdType i = 2 * begin; i < 2 * end; ++i)
+    if (!(this->Method == Cones ? this->BuildFromCones(in, work) : this->BuildFromMesh(in, work)))
     {
-      const auto& group = groups[i / 2];
-      const double steps = static_cast<double>(2 * (end - begin));
-      const Monitor part = monitor.Part((i - 2 * begin) / steps, (i - 2 * begin + 1) / steps);
-      const auto light = static_cast<std::size_t>(std::max(group.first.first, 0));
-      const Solid solid = i % 2 && this->Umbra == BaseDiscs
-        ? JointUmbra(group.second, lights[light], length, bounds, this->Resolution, part.Part(0.0, 0.3))
-        : UnionOfCones(group.second, i % 2 ? ConeBound::Inner : ConeBound::Outer, length, bounds);
-      if (part.IsAborted() || !Contour(solid, group.first, this->Resolution, part.Part(0.3, 1.0), solids[i % 2], error))
-      {
-        return error.empty() ? 1 // aborted: the outputs stay empty
-                             : run.Fail(Sentence("The ", i % 2 ? "inner" : "outer", " bound of occluder ",
-                                 group.first.second, " needs ", error));
-      }
-      withSurface += i % 2 == 0 && !solid.Region.Empty() && solids[0].EndsWith(group.first.second) ? 1 : 0;
+      return work.Error.empty() ? 1 : run.Fail(work.Error); // aborted: the outputs stay empty
     }
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Contouring the cones failed: ", exception.what()));
+    return run.Fail(Sentence("Building the solids failed: ", exception.what()));
   }
-  Warnings warnings;
-  warnings.Add(OccludersWithoutSurface(end - begin - withSurface, end - begin));
-  warnings.Say(this);
+  in.Said.Add(in.Lights.Warnings);
+  in.Said.Add(OccludersWithoutSurface(work.Surfaces - work.WithSurface, work.Surfaces));
+  in.Said.Add(SolidsOfSeveralParts(work.WithSeveralParts, work.Surfaces));
+  in.Said.Say(this);
+  AddIntArray(in.ConeData, "Method", 1, { this->Method });
+  WriteOccluderNames(in.OccluderNames, in.ConeData);
+  WriteFingerprints(castersFingerprint, in.CastersFingerprints, in.ConeData);
   for (int port = 0; port < 2; ++port)
   {
-    solids[port].Finish(vtkPolyData::GetData(outputVector, port), input->GetFieldData());
+    vtkPolyData* output = vtkPolyData::GetData(outputVector, port);
+    work.Solids[port].Finish(output, in.ConeData);
+    if (!in.Lights.Lights.empty())
+    {
+      WriteLightFingerprints(in.Lights.Lights, output);
+    }
   }
   return 1;
 }
@@ -365,6 +571,12 @@ int vtkShadowVolume::RequestData(
 void vtkShadowVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: "
+     << (this->Method == Cones           ? "Cones"
+            : this->Method == Visibility ? "Visibility"
+            : this->Method == Projection ? "Projection"
+                                         : "invalid")
+     << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "Bounds: " << Listed(this->Bounds, 6) << "\n";
   os << indent << "Length: " << this->Length << "\n";
@@ -373,5 +585,6 @@ void vtkShadowVolume::PrintSelf(ostream& os, vtkIndent indent)
             : this->Umbra == BaseDiscs ? "BaseDiscs"
                                        : "invalid")
      << "\n";
+  os << indent << "NumberOfLightSamples: " << this->NumberOfLightSamples << "\n";
   os << indent << "PerOccluder: " << (this->PerOccluder ? "on" : "off") << "\n";
 }

@@ -264,6 +264,41 @@ Setting ShadowVolume(Size size, int umbra)
   return { filter, { { 0, Cones() } } };
 }
 
+/// Solids of what is truly seen, of the chair in the room.
+Setting SeenShadowVolume(Size size)
+{
+  auto filter = vtkSmartPointer<vtkShadowVolume>::New();
+  filter->SetMethodToVisibility();
+  filter->SetBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
+  filter->SetResolution(size == Size::Small ? 10 : 100);
+  filter->SetNumberOfLightSamples(size == Size::Small ? 16 : 64);
+  return { filter, { { 2, Room() }, { 3, Lamp() } } };
+}
+
+/// Silhouettes of many balls under a point.
+Setting ProjectedShadowVolume(Size size)
+{
+  auto filter = vtkSmartPointer<vtkShadowVolume>::New();
+  filter->SetMethodToProjection();
+  filter->SetBounds(-2.75, 2.75, -3.0, 5.2, -2.75, 2.75);
+  vtkNew<vtkAppendPolyData> balls;
+  const int edge = size == Size::Small ? 3 : 12;
+  for (int k = 0; k < edge * edge; ++k)
+  {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetCenter(3.0 * (k % edge) / edge - 1.5, 2.0, 3.0 * (k / edge) / edge - 1.5);
+    ball->SetRadius(1.0 / edge);
+    ball->SetThetaResolution(size == Size::Small ? 8 : 120);
+    ball->SetPhiResolution(size == Size::Small ? 6 : 100);
+    ball->Update();
+    balls->AddInputData(ball->GetOutput());
+  }
+  vtkNew<vtkAreaLightSource> light;
+  light->SetShapeToPoint();
+  light->SetCenter(0.3, 6.0, 0.2);
+  return { filter, { { 2, LabelledMesh(Take(balls)) }, { 3, Take(light) } } };
+}
+
 /// A grid in the room, so many points along each edge.
 vtkSmartPointer<vtkPolyData> PointsOfRoom(int edge)
 {
@@ -457,6 +492,8 @@ const std::vector<Case>& AllCases()
     { "ConeSetAccuracy", ConeSetAccuracy },
     { "ShadowVolumeInnerCones", [](Size size) { return ShadowVolume(size, vtkShadowVolume::InnerCones); } },
     { "ShadowVolumeBaseDiscs", [](Size size) { return ShadowVolume(size, vtkShadowVolume::BaseDiscs); } },
+    { "ShadowVolumeVisibility", SeenShadowVolume },
+    { "ShadowVolumeProjection", ProjectedShadowVolume },
     { "ConeSetProbeExact", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::Exact); }, true, false },
     { "ConeSetProbeSoft", [](Size size) { return ConeSetProbe(size, vtkConeSetProbe::Soft); }, true, false },
     { "ConeSetProbeArrivingLight", ArrivingLight, true, false },

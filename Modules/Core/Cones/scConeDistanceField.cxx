@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scConeDistanceField.h"
 
-#include "scRegularGrid.h"
+#include "scGridBlock.h"
 
 #include <algorithm>
 
@@ -97,28 +97,8 @@ double ConeDistanceField::Distance(const Vector3& point) const
   return this->Clip(point, distance);
 }
 
-/// Points [Begin, End) of a grid.
-struct ConeDistanceField::Block
+struct ConeDistanceField::Block : GridBlock
 {
-  std::array<int, 3> Begin;
-  std::array<int, 3> End;
-
-  int Side(int axis) const { return this->End[axis] - this->Begin[axis]; }
-  template <typename Visitor>
-  void ForEachPoint(const RegularGrid& grid, Visitor&& visit) const
-  {
-    for (int k = this->Begin[2]; k < this->End[2]; ++k)
-    {
-      for (int j = this->Begin[1]; j < this->End[1]; ++j)
-      {
-        const vtkIdType row = (static_cast<vtkIdType>(k) * grid.Dimensions[1] + j) * grid.Dimensions[0];
-        for (int i = this->Begin[0]; i < this->End[0]; ++i)
-        {
-          visit(row + i, grid.Point(i, j, k));
-        }
-      }
-    }
-  }
 };
 
 void ConeDistanceField::SampleBlock(
@@ -152,9 +132,7 @@ void ConeDistanceField::SampleBlock(
       near.push_back(candidates[c]);
     }
   }
-  const int longest = block.Side(0) >= block.Side(1) && block.Side(0) >= block.Side(2) ? 0
-    : block.Side(1) >= block.Side(2)                                                   ? 1
-                                                                                       : 2;
+  const int longest = block.Longest();
   if (block.Side(longest) > leafSide)
   {
     Block first = block;
