@@ -499,6 +499,10 @@ bool vtkShadowVolume::BuildFromMesh(Inputs& in, Work& work) const
     }
     if (this->Method == Projection)
     {
+      if (part.Progress)
+      {
+        part.Progress(0.0);
+      }
       ProjectedShadow shadow;
       std::string fault;
       if (!region.Empty() && !ProjectShadow(mesh.View(), light, region, shadow, fault))

@@ -282,14 +282,14 @@ Setting ProjectedShadowVolume(Size size)
   filter->SetMethodToProjection();
   filter->SetBounds(-2.75, 2.75, -3.0, 5.2, -2.75, 2.75);
   vtkNew<vtkAppendPolyData> balls;
-  const int edge = size == Size::Small ? 3 : 12;
+  const int edge = size == Size::Small ? 3 : 8;
   for (int k = 0; k < edge * edge; ++k)
   {
     vtkNew<vtkSphereSource> ball;
     ball->SetCenter(3.0 * (k % edge) / edge - 1.5, 2.0, 3.0 * (k / edge) / edge - 1.5);
     ball->SetRadius(1.0 / edge);
-    ball->SetThetaResolution(size == Size::Small ? 8 : 120);
-    ball->SetPhiResolution(size == Size::Small ? 6 : 100);
+    ball->SetThetaResolution(size == Size::Small ? 8 : 60);
+    ball->SetPhiResolution(size == Size::Small ? 6 : 50);
     ball->Update();
     balls->AddInputData(ball->GetOutput());
   }
