@@ -343,7 +343,7 @@ bool vtkShadowVolume::ReadMeshAndLights(vtkInformationVector** inputVector, Inpu
   {
     in.OccluderNames = in.Mesh.OccluderNames;
     in.CastersFingerprints = { CompareCasters(
-      in.Mesh, meshPort, in.ConeData, "The cone set on input port 0", in.Said) };
+      CastersFingerprintOf(in.Mesh), meshPort, in.ConeData, "The cone set on input port 0", in.Said) };
     DropReceivers(in.Mesh);
   }
   if (lit && cones)
@@ -358,7 +358,8 @@ bool vtkShadowVolume::ReadMeshAndLights(vtkInformationVector** inputVector, Inpu
     {
       return false;
     }
-    CompareCasters(in.Mesh, meshPort, volume->GetFieldData(), "The visibility volume on input port 1", in.Said);
+    CompareCasters(CastersFingerprintOf(in.Mesh), meshPort, volume->GetFieldData(),
+      "The visibility volume on input port 1", in.Said);
     in.Cut = this->HasBounds() ? in.Cut : BoundsOf(in.Volume.front());
   }
   return true;

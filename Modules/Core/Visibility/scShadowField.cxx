@@ -26,7 +26,7 @@ constexpr int cellsToFind = 24;
 /// Halvings of an edge: a thousandth.
 constexpr int halvings = 10;
 /// A surface keeps this share of an edge away from its ends: neighbours of a point then have room for triangles.
-constexpr double smallestShare = 0.002;
+constexpr double smallestShare = 0.02;
 /// Rays that may take turns in deciding where an edge leaves the full shadow.
 constexpr int mostTurns = 24;
 /// Middles of triangles may lie so far beyond the end of the solid, in cells.
