@@ -112,24 +112,30 @@ def read_files(paths):
     return files
 
 
-def data_of(mesh):
-    """One mesh as vtkPolyData, or as the composite that it is."""
+def raw_of(mesh):
+    """One mesh as the data set or composite that it is."""
     if is_path(mesh):
         return read_files([mesh]).GetMesh(0)
     if isinstance(mesh, vtkAlgorithm):
         mesh = _run.update(mesh).GetOutputDataObject(0)
-    if isinstance(mesh, (vtkPolyData, vtkDataObjectTree)):
+    if isinstance(mesh, (vtkDataSet, vtkDataObjectTree)):
         return mesh
-    if isinstance(mesh, vtkDataSet):
-        surface = vtkDataSetSurfaceFilter()
-        surface.SetInputData(mesh)
-        surface.Update()
-        return surface.GetOutput()
     if is_pair(mesh):
         return polydata_of(*mesh)
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return polydata_of(mesh.vertices, mesh.faces)
     raise TypeError(f"a mesh must be {KINDS}, not {type(mesh).__name__}")
+
+
+def data_of(mesh):
+    """One mesh as vtkPolyData, or as the composite that it is: for what takes no volumes."""
+    data = raw_of(mesh)
+    if isinstance(data, (vtkPolyData, vtkDataObjectTree)):
+        return data
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputData(data)
+    surface.Update()
+    return surface.GetOutput()
 
 
 def named_meshes(mesh):
@@ -152,14 +158,14 @@ def occluders_of(mesh):
     occluders = sc.vtkLabelOccluders()
     several = named_meshes(mesh)
     if several is None:
-        data = data_of(mesh)
+        data = raw_of(mesh)
         occluders.SetInputDataObject(data)
-        if isinstance(data, vtkPolyData) and data.GetCellData().HasArray("OccluderId"):
+        if isinstance(data, vtkDataSet) and data.GetCellData().HasArray("OccluderId"):
             occluders.SetLabelByToArray()
         return occluders
     blocks = vtkMultiBlockDataSet()
     for number, (name, part) in enumerate(several):
-        blocks.SetBlock(number, data_of(part))
+        blocks.SetBlock(number, raw_of(part))
         blocks.GetMetaData(number).Set(vtkCompositeDataSet.NAME(), name)
     occluders.SetInputDataObject(blocks)
     occluders.SetLabelByToBlock()

@@ -57,6 +57,10 @@ public:
     const std::size_t start = this->Error.find("): ");
     this->Error.erase(0, start == std::string::npos ? 0 : start + 3);
     this->Error.erase(std::min(this->Error.find('\n'), this->Error.size()));
+    // Readers quote what they found, which may be any bytes.
+    this->Error.resize(std::min<std::size_t>(this->Error.size(), 200));
+    std::replace_if(
+      this->Error.begin(), this->Error.end(), [](char c) { return c < 0x20 || c > 0x7E; }, '?');
     while (!this->Error.empty() && (this->Error.back() == ' ' || this->Error.back() == '.'))
     {
       this->Error.pop_back();

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Light that arrives and edges of shadows, in one line: right values by closed forms, faults as exceptions."""
+"""Light that arrives, edges of shadows and hours of Sun, in one line: right values by closed forms, faults as exceptions."""
 
+import datetime
 import math
 import os
 import tempfile
@@ -89,6 +90,31 @@ class Edges(unittest.TestCase):
             found.save(path)
             with open(path, encoding="utf-8") as file:
                 self.assertIn('"FeatureCollection"', file.read())
+
+
+class SunHours(unittest.TestCase):
+    def test_day_and_night(self):
+        # Equinox at the equator: half a day; midsummer beyond the polar circle: all of it; the same behind a roof: none.
+        day = sc.sun_hours([[0, 0, 0]], NOTHING, 0, 0, "2024-03-20", "2024-03-21")
+        self.assertEqual(day.shape, (1,))
+        self.assertAlmostEqual(float(day[0]), 12.0, delta=0.15)
+        june = (datetime.datetime(2024, 6, 21), datetime.datetime(2024, 6, 22), 30)
+        self.assertAlmostEqual(float(sc.sun_hours([0, 0, 0], NOTHING, 80, 0, *june)), 24.0, delta=1e-3)
+        self.assertLess(float(sc.sun_hours([0, 0, -1], plate(500, 0), 80, 0, *june)), 1e-3)
+
+    def test_facade_to_the_north_and_south(self):
+        # Equinox: the Sun is in the south all day. y is north.
+        both = [[0, -1, 0], [0, 1, 0]]
+        wall = ([[-999, 0, -999], [999, 0, -999], [999, 0, 999], [-999, 0, 999]], [[0, 1, 2, 3]])
+        hours = sc.sun_hours(both, wall, 48, 0, "2024-03-20", "2024-03-21", diameter=0)
+        self.assertAlmostEqual(float(hours[0]), 12.0, delta=0.4)
+        self.assertLess(float(hours[1]), 0.5)
+
+    def test_faults(self):
+        with self.assertRaisesRegex(ValueError, "Latitude"):
+            sc.sun_hours([0, 0, 0], NOTHING, 91, 0, "2024-03-20", "2024-03-21")
+        with self.assertRaisesRegex(ValueError, "Start"):
+            sc.sun_hours([0, 0, 0], NOTHING, 0, 0, "yesterday", "2024-03-21")
 
 
 if __name__ == "__main__":

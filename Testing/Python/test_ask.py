@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 import unittest
 import warnings
 
@@ -333,13 +334,15 @@ class Progress(unittest.TestCase):
 
 
 class Interrupt(unittest.TestCase):
-    def test_ctrl_c_stops_within_a_second_and_the_handler_comes_back(self):
+    def test_ctrl_c_stops_soon_and_the_handler_comes_back(self):
         before = signal.getsignal(signal.SIGINT)
         # From outside: threads of this process wait while VTK works.
+        begin = time.monotonic()
         killer = subprocess.Popen(["sh", "-c", f"sleep 0.7; kill -INT {os.getpid()}"])
         with self.assertRaises(KeyboardInterrupt):
-            # Some minutes of work.
-            sc.light_shafts(os.path.join(DATA, "tree.vtp"), size=(4000, 4000), error=0.001)
+            # A minute of work.
+            sc.light_shafts(os.path.join(DATA, "tree.vtp"), size=(900, 900), error=0.001)
+        self.assertLess(time.monotonic() - begin, 0.7 + 3.0)  # the machine may have more to do than this
         self.assertEqual(killer.wait(), 0)
         self.assertIs(signal.getsignal(signal.SIGINT), before)
         # The same filters answer again.

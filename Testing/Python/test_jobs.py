@@ -110,6 +110,14 @@ class Jobs(unittest.TestCase):
         radiance = 15.0 / (math.pi * 4.0 * math.pi * 0.05 ** 2)
         np.testing.assert_allclose(answer.sum(axis=1), [radiance * solid_angle, 0.0], rtol=1e-4)
 
+    def test_sun_hours(self):
+        # Equinox in Munich: above the horizon for half a day, always in the south. A roof hides all of it, a facade to the north too.
+        write("house.stl", box(-500, 500, 0, 9, 0, 500))
+        answer = self.ask("How many hours", points=[[0, -0.1, 250], [0, 9.1, 250], [0, 4, 10]])
+        self.assertAlmostEqual(float(answer[0]), 12.0, delta=0.4)
+        self.assertLess(float(answer[1]), 0.5)
+        self.assertEqual(float(answer[2]), 0.0)
+
     def test_width(self):
         # The edge is 4 above the ground: 4 sqrt 2 away along the light. 80.545 % of the Sun's angle, stretched by 1 / sin 45.
         write("house.stl", box(-9, 9, 0, 1, 0, 4))

@@ -24,6 +24,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -281,7 +282,9 @@ TEST_F(MeshFiles, BrokenFilesDoNotCrash)
       if (!files->Read())
       {
         ++refused;
-        EXPECT_FALSE(files->GetError().empty());
+        const std::string error = files->GetError();
+        EXPECT_FALSE(error.empty());
+        EXPECT_TRUE(std::all_of(error.begin(), error.end(), [](char c) { return c >= 0x20 && c <= 0x7E; })) << error;
         continue;
       }
       vtkPolyData* mesh = files->GetMesh(0);
