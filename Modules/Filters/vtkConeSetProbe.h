@@ -193,18 +193,12 @@ public:
   ///@}
 
   ///@{
-  /**
-   * What is kept from one run to the next of what is costly to build: mesh and search tree. It stands for as long as
-   * the inputs that it is made from do not change. Another filter takes the same things instead of building its own
-   * where a script hands the scene on: other->SetPreparedScene(this->GetPreparedScene()); the two then keep what both
-   * need once. Results do not depend on it. nullptr: a scene of its own again.
-   */
+  /// What Exact builds of the mesh is kept from run to run: as in vtkScatteringImageFilter, whose scene it may be.
   vtkObject* GetPreparedScene();
-  void SetPreparedScene(vtkObject* scene); ///< Keep what is costly to build together with another filter.
-  void ReleasePreparedScene(); ///< Free the memory; what is needed is built again.
-  vtkTypeInt64 GetPreparedMemory(); ///< Bytes that the prepared scene takes.
-  /// How often this filter has built any of it: it does not grow where an update finds all that it needs.
-  vtkIdType GetNumberOfPreparations();
+  vtkIdType GetNumberOfPreparations();     ///< How many of these this probe has built.
+  vtkTypeInt64 GetPreparedMemory();        ///< Bytes of mesh and search tree.
+  void SetPreparedScene(vtkObject* scene); ///< Take mesh and search tree from there.
+  void ReleasePreparedScene();             ///< Free them: the next run builds them again.
   ///@}
 
 protected:

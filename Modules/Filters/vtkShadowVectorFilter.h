@@ -132,18 +132,13 @@ public:
   }
 
   ///@{
-  /**
-   * What is kept from one run to the next of what is costly to build: mesh and search tree. It stands for as long as
-   * the inputs that it is made from do not change. Another filter takes the same things instead of building its own
-   * where a script hands the scene on: other->SetPreparedScene(this->GetPreparedScene()); the two then keep what both
-   * need once. Results do not depend on it. nullptr: a scene of its own again.
-   */
+  /// The mesh that photons are sent at and its search tree, kept for the next photons and for other filters, see
+  /// vtkScatteringImageFilter.
   vtkObject* GetPreparedScene();
-  void SetPreparedScene(vtkObject* scene); ///< Keep what is costly to build together with another filter.
-  void ReleasePreparedScene(); ///< Free the memory; what is needed is built again.
-  vtkTypeInt64 GetPreparedMemory(); ///< Bytes that the prepared scene takes.
-  /// How often this filter has built any of it: it does not grow where an update finds all that it needs.
-  vtkIdType GetNumberOfPreparations();
+  vtkTypeInt64 GetPreparedMemory();        ///< Bytes that the scene takes.
+  void SetPreparedScene(vtkObject* scene); ///< Send photons at the mesh of another filter's scene.
+  vtkIdType GetNumberOfPreparations();     ///< Meshes and trees that were built here.
+  void ReleasePreparedScene();             ///< Keep nothing until the next run.
   ///@}
 
 protected:

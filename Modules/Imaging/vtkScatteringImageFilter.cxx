@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkScatteringImageFilter.h"
 
+#include "scCoarseImage.h"
 #include "scDensityData.h"
 #include "scFilterRun.h"
 #include "scImageOutput.h"
@@ -16,11 +17,13 @@
 #include "scWarnings.h"
 
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -41,6 +44,7 @@ constexpr int lightPort = 1;
 constexpr int coneSetPort = 2;
 constexpr int visibilityVolumePort = 3;
 constexpr int densityPort = 4;
+constexpr double shareOfCoarse = 0.1; // of the progress, where coarse pictures come first
 } // namespace
 
 vtkStandardNewMacro(vtkScatteringImageFilter);
@@ -119,6 +123,15 @@ void vtkScatteringImageFilter::SetToneCurve(int curve)
   {
     this->ToneCurve = curve;
     this->Superclass::Modified();
+  }
+}
+
+void vtkScatteringImageFilter::SetProgressive(bool progressive)
+{
+  if (this->Progressive != progressive)
+  {
+    this->Progressive = progressive;
+    this->Superclass::Modified(); // the image is as it was
   }
 }
 
@@ -232,6 +245,38 @@ bool vtkScatteringImageFilter::ReadScene(vtkInformationVector** inputs, ImageSce
     FindMediumBounds(this->MediumBounds, scene, error) && ChooseCamera(this->Camera, this->Resolution, scene, error);
 }
 
+vtkImageData* vtkScatteringImageFilter::GetPicture()
+{
+  return this->Picture;
+}
+
+/// Show the image at rising quality, before the image itself. @return false where aborted.
+bool vtkScatteringImageFilter::ShowCoarse(ImageScene& scene, const Monitor& monitor)
+{
+  const std::vector<int> scales = CoarseScales(this->Resolution[0], this->Resolution[1]);
+  double done = 0.0;
+  for (std::size_t k = 0; k < scales.size(); ++k)
+  {
+    const double next = std::pow(16.0, static_cast<double>(k + 1) - static_cast<double>(scales.size()));
+    ScatteringImage image;
+    if (!RenderCoarse(scene, scales[k], monitor.Part(done, next), image))
+    {
+      return false;
+    }
+    this->NumberOfRaysSent += image.NumberOfOcclusionRays;
+    done = next;
+    auto picture = vtkSmartPointer<vtkImageData>::New();
+    picture->SetDimensions(this->Resolution[0], this->Resolution[1], 1);
+    WritePixels(image, picture->GetPointData());
+    const std::vector<double>& wavelengths = scene.Lights.Wavelengths;
+    const double exposure = this->AutoExposure ? FindExposure(picture, wavelengths) : this->Exposure;
+    WriteRgb(picture, wavelengths, exposure, picture);
+    this->Picture = picture;
+    this->InvokeEvent(vtkCommand::UpdateDataEvent);
+  }
+  return !monitor.IsAborted();
+}
+
 /// Render what is not kept yet. @return false after an error, or without one where aborted: nothing is kept then.
 bool vtkScatteringImageFilter::RenderMissing(
   vtkInformationVector** inputs, const int extent[6], Warnings& warnings, std::string& error)
@@ -254,7 +299,10 @@ bool vtkScatteringImageFilter::RenderMissing(
   const auto start = std::chrono::steady_clock::now();
   try
   {
-    if (!RenderScene(scene, extents, MonitorOf(this), images))
+    const Monitor monitor = MonitorOf(this);
+    const bool rises = this->Progressive && rendersPixels && IsWhole(extent, this->Resolution);
+    if ((rises && !this->ShowCoarse(scene, monitor.Part(0.0, shareOfCoarse))) ||
+      !RenderScene(scene, extents, monitor.Part(rises ? shareOfCoarse : 0.0, 1.0), images))
     {
       return false; // aborted
     }
@@ -318,6 +366,12 @@ int vtkScatteringImageFilter::RequestData(
   output->ShallowCopy(kept.Pixels);
   WriteRgb(kept.Pixels, kept.Wavelengths, this->AutoExposure ? kept.Exposure : this->Exposure,
     static_cast<shadowcones::ToneCurve>(this->ToneCurve), output);
+  this->Picture = nullptr;
+  if (this->Progressive && IsWhole(extent, this->Resolution))
+  {
+    this->Picture = vtkSmartPointer<vtkImageData>::New();
+    this->Picture->ShallowCopy(output);
+  }
   warnings.Add(this->AutoExposure ? UnusedExposure(this->Exposure) : std::string());
   warnings.Say(this);
   return 1;
@@ -353,6 +407,8 @@ void vtkScatteringImageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AutoExposure: " << (this->AutoExposure ? "On" : "Off") << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "ToneCurve: " << this->ToneCurve << "\n";
+  os << indent << "Progressive: " << (this->Progressive ? "On" : "Off") << "\n";
+  os << indent << "Picture: " << this->Picture << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfRaysSent: " << this->NumberOfRaysSent << "\n";
   os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";

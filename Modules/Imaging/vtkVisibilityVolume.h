@@ -185,18 +185,12 @@ public:
   ///@}
 
   ///@{
-  /**
-   * What is kept from one run to the next of what is costly to build: mesh and search tree. It stands for as long as
-   * the inputs that it is made from do not change. Another filter takes the same things instead of building its own
-   * where a script hands the scene on: other->SetPreparedScene(this->GetPreparedScene()); the two then keep what both
-   * need once. Results do not depend on it. nullptr: a scene of its own again.
-   */
+  /// Mesh and search tree are kept while the mesh stands, and shared on request: see vtkScatteringImageFilter.
   vtkObject* GetPreparedScene();
-  void SetPreparedScene(vtkObject* scene); ///< Keep what is costly to build together with another filter.
-  void ReleasePreparedScene(); ///< Free the memory; what is needed is built again.
-  vtkTypeInt64 GetPreparedMemory(); ///< Bytes that the prepared scene takes.
-  /// How often this filter has built any of it: it does not grow where an update finds all that it needs.
-  vtkIdType GetNumberOfPreparations();
+  void SetPreparedScene(vtkObject* scene); ///< Share mesh and search tree with an image or a probe.
+  void ReleasePreparedScene();             ///< Free what is kept for the next volume.
+  vtkTypeInt64 GetPreparedMemory();        ///< Bytes of what is kept.
+  vtkIdType GetNumberOfPreparations();     ///< How often this volume has read the mesh or built its tree.
   ///@}
 
 protected:

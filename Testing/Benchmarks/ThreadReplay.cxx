@@ -56,7 +56,7 @@ Replayed Replay(int threads, const std::function<void()>& run)
   {
     serial += loop.Before;
     work += std::accumulate(loop.Items.begin(), loop.Items.end(), 0.0);
-    took += LoopRecorder::Replay(loop.Items, threads, secondsOfBlock);
+    took += LoopRecorder::Replay(loop, threads, secondsOfBlock);
   }
   Replayed replayed;
   replayed.Busy = took > 0.0 ? work / (threads * took) : 1.0;

@@ -4,12 +4,18 @@
 //   frames    a sphere of many triangles in a lit room: the first image, further cameras, another exposure
 //   volume    a visibility volume of many points read by a further frame
 //   probe     20,000 points of 64 light samples
+//   rising    pictures of rising quality: how soon, and how near
+//   umbra     the joint umbra of many discs on grids
 //   threads   each stage on one and on two threads, and its loops replayed item by item on more
 //   memory    bytes of what is kept and the largest memory of each stage, against its formula
 #include "BenchmarkScene.h"
 #include "ThreadReplay.h"
 
+#include "scUmbraField.h"
+
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkConeSetProbe.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -25,9 +31,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <exception>
 #include <fstream>
 #include <functional>
@@ -45,6 +54,12 @@ double SecondsOf(const std::function<void()>& run)
   return Now() - start;
 }
 
+/// Of all threads together: what a busy machine does not change.
+double ProcessorSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 /// The largest memory of the process since the last call, in bytes; 0 where the system does not say.
 double PeakMemory(bool restart)
 {
@@ -59,6 +74,7 @@ double PeakMemory(bool restart)
   }
   if (restart)
   {
+    malloc_trim(0); // what was freed before would hide what is taken next
     std::ofstream("/proc/self/clear_refs") << 5;
   }
   return 1024.0 * kilobytes;
@@ -128,7 +144,9 @@ void MeasureFrames(double triangles, int size)
   const double fill = SecondsOf([&] { room.Volume->Update(); });
   room.Image->SetResolution(size, size);
   const double first = room.Frame();
+  const double processor = ProcessorSeconds();
   const double further = room.MedianOfFrames(9);
+  const double used = (ProcessorSeconds() - processor) / 9.0;
   const vtkIdType rays = room.Image->GetNumberOfRaysSent();
   const double exposed = SecondsOf(
     [&]
@@ -137,9 +155,9 @@ void MeasureFrames(double triangles, int size)
       room.Image->SetExposure(2.0);
       room.Image->Update();
     });
-  std::printf("frames: %lld triangles, Volume, %d x %d: volume filled %.3f s, first image %.3f s, further ones %.4f s, "
-              "another exposure %.4f s and %lld rays; %lld preparations; kept %.1f MB\n",
-    static_cast<long long>(room.Mesh->GetNumberOfCells()), size, size, fill, first, further, exposed,
+  std::printf("frames: %lld triangles, Volume, %d x %d: volume filled %.3f s, first image %.3f s, further ones %.4f s "
+              "(processor %.4f s), another exposure %.4f s and %lld rays; %lld preparations; kept %.1f MB\n",
+    static_cast<long long>(room.Mesh->GetNumberOfCells()), size, size, fill, first, further, used, exposed,
     static_cast<long long>(room.Image->GetNumberOfRaysSent() - rays),
     static_cast<long long>(room.Image->GetNumberOfPreparations()),
     static_cast<double>(room.Image->GetPreparedMemory()) * 1e-6);
@@ -193,6 +211,7 @@ void MeasureProbe(const std::string& name, int points, int samples)
   probe->SetMethodToExact();
   probe->SetNumberOfLightSamples(samples);
   const double first = SecondsOf([&] { probe->Update(); });
+  const double processor = ProcessorSeconds();
   std::vector<double> seconds;
   for (int k = 0; k < 5; ++k)
   {
@@ -200,20 +219,163 @@ void MeasureProbe(const std::string& name, int points, int samples)
     seconds.push_back(SecondsOf([&] { probe->Update(); }));
   }
   std::sort(seconds.begin(), seconds.end());
-  std::printf("probe: %s, %d points x %d: first %.3f s, again %.3f s\n", name.c_str(), points, samples, first, seconds[2]);
+  std::printf("probe: %s, %d points x %d: first %.3f s, again %.3f s (processor %.3f s)\n", name.c_str(), points,
+    samples, first, seconds[2], (ProcessorSeconds() - processor) / 5.0);
   std::fflush(stdout);
+}
+/// How soon a window has something to show, and how far it is from the image.
+void MeasureRising(int size)
+{
+  SphereRoom room(2000.0);
+  room.Image->SetModeToGuided();
+  room.Image->SetResolution(size, size);
+  room.Image->ProgressiveOn();
+  room.Image->Update(); // the search tree is there
+  struct Seen
+  {
+    double Start = 0.0;
+    std::vector<double> Seconds;
+    std::vector<std::vector<float>> Values;
+    vtkScatteringImageFilter* Image = nullptr;
+  } seen;
+  const auto valuesOf = [](vtkImageData* picture)
+  {
+    auto* values = vtkFloatArray::SafeDownCast(picture->GetPointData()->GetArray("InScattering"));
+    return std::vector<float>(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfValues());
+  };
+  seen.Image = room.Image;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&seen);
+  command->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*)
+    {
+      auto* all = static_cast<Seen*>(data);
+      all->Seconds.push_back(Now() - all->Start);
+      auto* values =
+        vtkFloatArray::SafeDownCast(all->Image->GetPicture()->GetPointData()->GetArray("InScattering"));
+      all->Values.emplace_back(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfValues());
+    });
+  room.Image->AddObserver(vtkCommand::UpdateDataEvent, command);
+  seen.Start = Now();
+  room.Frame();
+  const double last = Now() - seen.Start;
+  const std::vector<float> image = valuesOf(room.Image->GetOutput());
+  for (std::size_t k = 0; k < seen.Seconds.size(); ++k)
+  {
+    double squares = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < image.size(); ++i)
+    {
+      squares += std::pow(static_cast<double>(seen.Values[k][i]) - static_cast<double>(image[i]), 2.0);
+      sum += static_cast<double>(image[i]);
+    }
+    const auto count = static_cast<double>(image.size());
+    std::printf("rising: Guided, %d x %d: picture %zu after %.3f s, %.1f %% from the image, which took %.3f s\n", size,
+      size, k + 1, seen.Seconds[k], 100.0 * std::sqrt(squares / count) / (sum / count), last);
+  }
+  std::fflush(stdout);
+}
+
+/// The joint umbra of discs that hang side by side, on grids.
+void MeasureUmbra()
+{
+  Light light;
+  light.Shape = LightShape::Disc;
+  light.Center = { 0.0, 5.49, 0.0 };
+  light.Normal = { 0.0, -1.0, 0.0 };
+  light.Radius = 0.2;
+  light.Spectrum = { 1.0 };
+  PrepareLight(light);
+  for (const int resolution : { 32, 64 })
+  {
+    for (const int side : { 5, 10, 20 })
+    {
+      std::vector<Cone> discs;
+      for (int k = 0; k < side * side; ++k)
+      {
+        Cone disc;
+        disc.Center = { 4.0 * (k % side + 0.5) / side - 2.0, 3.5, 4.0 * (k / side + 0.5) / side - 2.0 };
+        disc.Axis = { 0.0, -1.0, 0.0 };
+        disc.Normal = { 0.0, 1.0, 0.0 };
+        disc.BaseRadius = 1.6 / side;
+        discs.push_back(disc);
+      }
+      const Box region{ { -2.5, 1.0, -2.5 }, { 2.5, 3.5, 2.5 } };
+      const UmbraField field(discs, light, 10.0, region);
+      const RegularGrid grid = GridOver(region, resolution);
+      std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
+      const double seconds = SecondsOf([&] { field.Sample(grid, region, {}, values.data()); });
+      std::printf("umbra: resolution %d, %d discs: %.3f s\n", resolution, side * side, seconds);
+      std::fflush(stdout);
+    }
+  }
+}
+
+/// The largest memory of a run over what was there before, against a formula.
+void PrintMemory(const char* what, double before, double formula)
+{
+  const double measured = PeakMemory(false) - before;
+  std::printf("memory: %-44s formula %8.1f MB, measured %8.1f MB, ratio %.2f\n", what, 1e-6 * formula, 1e-6 * measured,
+    measured > 0.0 ? formula / measured : 0.0);
+  std::fflush(stdout);
+}
+
+void MeasureMemory(double triangles)
+{
+  {
+    SphereRoom room(triangles);
+    room.Image->SetResolution(8, 8);
+    room.Image->SetModeToBruteForce();
+    const double count = static_cast<double>(room.Mesh->GetNumberOfCells());
+    room.Light->Update();
+    PeakMemory(true);
+    const double before = PeakMemory(false);
+    room.Image->Update();
+    PrintMemory("mesh and tree, while they are built", before, 480.0 * count);
+    const auto kept = static_cast<double>(room.Image->GetPreparedMemory());
+    std::printf("memory: kept %.1f bytes a triangle\n", kept / count);
+  }
+  {
+    SphereRoom room(2000.0);
+    room.Volume->SetDimensions(257, 257, 257);
+    room.Volume->SetNumberOfLightSamples(1);
+    room.Volume->SetBrickParts(1);
+    room.Light->Update();
+    PeakMemory(true);
+    double before = PeakMemory(false);
+    room.Volume->Update();
+    const double points = 257.0 * 257.0 * 257.0;
+    PrintMemory("volume of 257^3 points, filled", before, 29.0 * points);
+    room.Image->SetResolution(8, 8);
+    PeakMemory(true);
+    before = PeakMemory(false);
+    room.Image->Update();
+    PrintMemory("the same, read by an image", before, 10.0 * points);
+  }
+  {
+    SphereRoom room(2000.0);
+    room.Image->SetModeToGuided();
+    room.Image->SetRelativeErrorGoal(0.2);
+    room.Image->SetResolution(8, 8);
+    room.Image->Update();
+    room.Image->SetResolution(1024, 1024);
+    PeakMemory(true);
+    const double before = PeakMemory(false);
+    room.Image->Update();
+    PrintMemory("image of 1024 x 1024, seven wavelengths", before, (32.0 * 7.0 + 28.0 + 3.0) * 1024.0 * 1024.0);
+  }
 }
 } // namespace
 
 int main(int argc, char* argv[])
 {
   CLI::App app("What the pipeline costs beside the estimators.");
-  std::vector<std::string> rows{ "frames", "volume", "probe", "threads" };
+  std::vector<std::string> rows{ "frames", "volume", "probe", "rising", "umbra", "memory", "threads" };
   double triangles = 1e6;
   int size = 256;
   int points = 257;
   std::string scene = "chair";
-  app.add_option("--rows", rows, "frames, volume, probe, threads")->capture_default_str();
+  app.add_option("--rows", rows, "frames, volume, probe, rising, umbra, memory, threads")->capture_default_str();
   app.add_option("--triangles", triangles, "of the sphere")->capture_default_str();
   app.add_option("--size", size, "width and height of images, pixels")->capture_default_str();
   app.add_option("--points", points, "of a volume along a side")->capture_default_str();
@@ -234,6 +396,18 @@ int main(int argc, char* argv[])
       else if (row == "probe")
       {
         MeasureProbe(scene, 20000, 64);
+      }
+      else if (row == "rising")
+      {
+        MeasureRising(size);
+      }
+      else if (row == "umbra")
+      {
+        MeasureUmbra();
+      }
+      else if (row == "memory")
+      {
+        MeasureMemory(triangles);
       }
       else if (row == "threads")
       {

@@ -14,6 +14,9 @@ def setters_of(kind):
     return {name[3:] for name in dir(kind) if name.startswith("Set") and name not in inherited}
 
 
+SCRIPTED = {"PreparedScene"}  # objects that one filter of a script hands to another
+
+
 def numbers(values):
     return [float(v) for v in (values if isinstance(values, tuple) else (values,))]
 
@@ -98,7 +101,7 @@ def proxy_faults(proxy, kind, optional_key):
                 yield f"{item.get('name')}: {fault}"
     offered = {item.get("command", "")[3:] for item in proxy if item.get("command")}
     for name in sorted(setters):
-        if hasattr(kind, "Get" + name) and name not in offered:
+        if hasattr(kind, "Get" + name) and name not in offered and name not in SCRIPTED:
             yield f"no property for Set{name}()"
     known = {item.get("name") for item in proxy}
     for decorator in proxy.iter("PropertyWidgetDecorator"):

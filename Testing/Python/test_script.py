@@ -266,6 +266,36 @@ class Script(unittest.TestCase):
         self.assertEqual(picture.GetOutput().GetFieldData().GetArray("Exposure").GetValue(0), found)
         self.check(picture.GetOutput().GetPointData(), 64, [("RGB", np.uint8, 3)])
 
+    def test_a_prepared_scene_is_handed_on(self):
+        first, second = sc.vtkScatteringImageFilter(), sc.vtkScatteringImageFilter()
+        second.SetPreparedScene(first.GetPreparedScene())
+        for image in (first, second):
+            image.SetInputConnection(self.occluders.GetOutputPort())
+            image.SetLightConnection(self.light.GetOutputPort())
+            image.SetResolution(6, 4)
+            image.Update()
+        self.assertGreater(first.GetNumberOfPreparations(), 0)
+        self.assertEqual(second.GetNumberOfPreparations(), 0)
+        self.assertGreater(second.GetPreparedMemory(), 0)
+        self.assertEqual(*[vtk_to_numpy(image.GetOutput().GetPointData().GetArray("Radiance")).tobytes()
+                           for image in (first, second)])
+        del first
+        second.SetResolution(8, 4)
+        second.Update()
+        self.assertEqual(second.GetNumberOfPreparations(), 0)
+        second.ReleasePreparedScene()
+        self.assertEqual(second.GetPreparedMemory(), 0)
+
+    def test_pictures_of_rising_quality(self):
+        image = sc.vtkScatteringImageFilter()
+        image.SetInputConnection(self.occluders.GetOutputPort()); image.SetLightConnection(self.light.GetOutputPort())
+        image.SetResolution(32, 24); image.SetModeToBruteForce(); image.ProgressiveOn()
+        sizes = []
+        image.AddObserver("UpdateDataEvent", lambda caller, event: sizes.append(caller.GetPicture().GetDimensions()))
+        image.Update()
+        self.assertEqual(sizes, [(32, 24, 1)])
+        self.assertEqual(image.GetPicture().GetPointData().GetArray("RGB").GetNumberOfTuples(), 32 * 24)
+
     def test_a_fault_is_said_and_survived(self):
         said = []
 

@@ -9,8 +9,10 @@
 #include "scTuningData.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
+#include <thread>
 
 namespace shadowcones
 {
@@ -411,50 +413,101 @@ std::vector<ConeSetOptions> Steps(const ConeSetOptions& options)
   return steps;
 }
 
+/// Measures several parameter sets side by side: each is independent of the others, and many of its steps are in order.
+class SideBySide
+{
+public:
+  SideBySide(const Validation& validation, const std::vector<LightExtent>& lights, ConeTuning tuning, const Monitor& monitor)
+    : TheValidation(validation)
+    , Lights(lights)
+    , Tuning(tuning)
+    , TheMonitor(monitor)
+  {
+  }
+
+  /// Fill in results, which hold their options. Progress goes from @p from to @p to. @return false where aborted.
+  bool Run(std::vector<ConeTuningResult>& results, double from, double to)
+  {
+    // Steps inside ask too, and on the calling thread only: each of them may take long.
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<bool> stopped{ false };
+    const auto isAborted = [&]
+    {
+      if (std::this_thread::get_id() == caller && this->TheMonitor.IsAborted())
+      {
+        stopped = true;
+      }
+      return stopped.load();
+    };
+    const Monitor inside{ nullptr, isAborted };
+    Monitor part = this->TheMonitor.Part(from, to);
+    part.Aborted = isAborted;
+    return ParallelFor(static_cast<vtkIdType>(results.size()), part,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          Measure(this->TheValidation, this->Lights, this->Tuning, inside, results[static_cast<std::size_t>(i)]);
+        }
+      });
+  }
+
+private:
+  const Validation& TheValidation;
+  const std::vector<LightExtent>& Lights;
+  const ConeTuning Tuning;
+  const Monitor& TheMonitor;
+};
+
+/// Those that are valid, to be measured.
+std::vector<ConeTuningResult> Candidates(const std::vector<ConeSetOptions>& sets)
+{
+  std::vector<ConeTuningResult> results;
+  for (const ConeSetOptions& options : sets)
+  {
+    if (!CheckConeSetOptions(options))
+    {
+      results.emplace_back();
+      results.back().Options = options;
+    }
+  }
+  return results;
+}
+
 /// A recipe, samples of the ranges, then steps from the best. @param tried every parameter set measured, the recipe first.
 bool Search(const Validation& validation, const std::vector<LightExtent>& lights, ConeTuning tuning,
   const ConeSetOptions& recipe, const Monitor& monitor, std::vector<ConeTuningResult>& tried)
 {
   const double expected = 1.0 + NumberOfParameterSamples(tuning) + NumberOfRounds(tuning) * static_cast<double>(Steps(recipe).size());
-  const auto attempt = [&](const ConeSetOptions& options) {
-    if (CheckConeSetOptions(options))
-    {
-      return true;
-    }
-    ConeTuningResult candidate;
-    candidate.Options = options;
-    if (!Measure(validation, lights, tuning, monitor, candidate))
+  SideBySide measuring(validation, lights, tuning, monitor);
+  const auto attempt = [&](const std::vector<ConeSetOptions>& sets)
+  {
+    std::vector<ConeTuningResult> results = Candidates(sets);
+    const auto share = [&](std::size_t more)
+    { return std::min(1.0, static_cast<double>(tried.size() + more) / expected); };
+    if (!measuring.Run(results, share(0), share(results.size())))
     {
       return false;
     }
-    tried.push_back(candidate);
-    if (monitor.Progress)
-    {
-      monitor.Progress(std::min(1.0, static_cast<double>(tried.size()) / expected));
-    }
+    tried.insert(tried.end(), results.begin(), results.end());
     return true;
   };
   const auto best = [&]() { return *std::min_element(tried.begin(), tried.end(), IsBetter); };
-  if (!attempt(recipe))
-  {
-    return false;
-  }
+  std::vector<ConeSetOptions> first{ recipe };
   for (int sample = 0; sample < NumberOfParameterSamples(tuning); ++sample)
   {
-    if (!attempt(ParameterSample(recipe, sample)))
-    {
-      return false;
-    }
+    first.push_back(ParameterSample(recipe, sample));
+  }
+  if (!attempt(first))
+  {
+    return false;
   }
   for (int round = 0; round < NumberOfRounds(tuning); ++round)
   {
     const ConeTuningResult from = best();
-    for (const ConeSetOptions& step : Steps(from.Options))
+    if (!attempt(Steps(from.Options)))
     {
-      if (!attempt(step))
-      {
-        return false;
-      }
+      return false;
     }
     if (!IsBetter(best(), from))
     {
@@ -516,16 +569,9 @@ bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, c
     // More vectors make other cones of the same parameters: the recipe and the best few are measured again.
     const Validation validation(vectors, paths, lights.size(), tuning, manyVectors);
     tried.resize(std::min(tried.size(), 1 + numberOfFinalists));
-    for (std::size_t i = 0; i < tried.size(); ++i)
+    if (!SideBySide(validation, lights, tuning, monitor).Run(tried, part, 1.0))
     {
-      if (!Measure(validation, lights, tuning, monitor, tried[i]))
-      {
-        return false;
-      }
-      if (monitor.Progress)
-      {
-        monitor.Progress(part + (1.0 - part) * static_cast<double>(i + 1) / static_cast<double>(tried.size()));
-      }
+      return false;
     }
   }
   result = *std::min_element(tried.begin(), tried.end(), IsBetter);

@@ -41,6 +41,16 @@ inline vtkIdType NextBlockSize(vtkIdType left, int threads, const FinishedBlock&
   return std::max<vtkIdType>(1, static_cast<vtkIdType>(std::min(size, static_cast<double>(left))));
 }
 
+/**
+ * Items for a thread without a group to take from one that has @p left of them: half, unless preparing the group once more
+ * would take longer than they do. @param preparation seconds of that; @param item seconds of an item.
+ */
+inline vtkIdType NumberToTakeOver(vtkIdType left, double preparation, double item)
+{
+  const vtkIdType half = (left + 1) / 2;
+  return static_cast<double>(half) * item > preparation ? half : 0;
+}
+
 } // namespace shadowcones
 
 #endif

@@ -26,6 +26,7 @@ public:
   {
     double Before = 0.0; ///< seconds since the end of the last loop, or since the recorder was made
     std::vector<double> Items;
+    std::vector<vtkIdType> Groups; ///< of ParallelForGroups(); empty: of ParallelFor()
   };
 
   LoopRecorder();
@@ -38,14 +39,16 @@ public:
   double Rest() const;
 
   /**
-   * Seconds that the items of a loop would take on so many threads that take them as those of ParallelFor() do, with
-   * @p overhead seconds for each block.
+   * Seconds that a loop would take on so many threads that take its items as those of ParallelFor() do, with @p overhead
+   * seconds for each block. What the first item of a group takes longer than the others' median is counted again
+   * for every thread that helps with the group.
    */
-  static double Replay(const std::vector<double>& items, int threads, double overhead);
+  static double Replay(const Loop& loop, int threads, double overhead);
 
   /// The one that is there, or nullptr. @{ For ParallelFor().
   static LoopRecorder* Active();
-  void Run(vtkIdType count, const std::function<void(vtkIdType begin, vtkIdType end)>& body);
+  void Run(vtkIdType count, const std::function<void(vtkIdType begin, vtkIdType end)>& body,
+    const std::vector<vtkIdType>& groups = {});
   /// @}
 
 private:

@@ -10,6 +10,7 @@
 #include "vtkType.h"
 
 #include <functional>
+#include <vector>
 
 namespace shadowcones
 {
@@ -39,6 +40,17 @@ struct Monitor
  */
 SHADOWCONESCORE_EXPORT bool ParallelFor(
   vtkIdType count, const Monitor& monitor, const std::function<void(vtkIdType begin, vtkIdType end)>& body);
+
+/// What a thread does with an item.
+using ItemBody = std::function<void(vtkIdType item)>;
+
+/**
+ * The same for items that are done faster together: @p groups has the first item of each group of them, ascending, and at
+ * its end their number. A thread takes a group at a time; one that finds none any more takes over half of another's.
+ * makeBody() is called once a thread, by that thread, for the body of all of its items.
+ */
+SHADOWCONESCORE_EXPORT bool ParallelForGroups(
+  const std::vector<vtkIdType>& groups, const Monitor& monitor, const std::function<ItemBody()>& makeBody);
 
 /// First of @p count items that belong to @p piece of @p pieces: pieces are ranges whose union is the whole.
 inline vtkIdType PieceBound(vtkIdType count, vtkIdType piece, vtkIdType pieces)

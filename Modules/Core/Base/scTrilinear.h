@@ -16,7 +16,7 @@ namespace shadowcones
  * corner (1, 0, 0), and so on. At the corners and where all eight agree it is theirs.
  */
 template <typename Real>
-Real Trilinear(
+[[gnu::always_inline]] inline Real Trilinear(
   const float* corner, std::size_t strideX, std::size_t strideY, std::size_t strideZ, Real x, Real y, Real z)
 {
   const auto alongX = [strideX, x](const float* at)

@@ -179,7 +179,7 @@ struct Crossing
 };
 
 /**
- * The paths through each base disc, inside out. A path is blocked for a disc where it ends before it has passed the disc by a
+ * The paths through each base disc, in no order. A path is blocked for a disc where it ends before it has passed the disc by a
  * base radius.
  */
 bool CollectCrossings(const PhotonPathView& paths, const std::vector<Cone>& cones, const Monitor& monitor,
@@ -219,12 +219,6 @@ bool CollectCrossings(const PhotonPathView& paths, const std::vector<Cone>& cone
     {
       crossings[crossing.first].push_back(crossing.second);
     }
-  }
-  for (std::vector<Crossing>& inside : crossings)
-  {
-    std::sort(inside.begin(), inside.end(), [](const Crossing& a, const Crossing& b) {
-      return a.Distance != b.Distance ? a.Distance < b.Distance : a.Lit < b.Lit;
-    });
   }
   return finished;
 }
@@ -423,12 +417,19 @@ bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, co
   {
     return false;
   }
-  for (std::size_t i = 0; i < result.Cones.size(); ++i)
-  {
-    TrimBase(crossings[i], options.MaximumOverspill, light, options.Expansion, options.ExpansionFraction, result.Cones[i]);
-    result.Cones[i].Overspill = LitFraction(crossings[i]);
-  }
-  return true;
+  const auto insideOut = [](const Crossing& a, const Crossing& b)
+  { return a.Distance != b.Distance ? a.Distance < b.Distance : a.Lit < b.Lit; };
+  return ParallelFor(static_cast<vtkIdType>(result.Cones.size()), { nullptr, monitor.Aborted },
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        std::sort(crossings[i].begin(), crossings[i].end(), insideOut);
+        TrimBase(
+          crossings[i], options.MaximumOverspill, light, options.Expansion, options.ExpansionFraction, result.Cones[i]);
+        result.Cones[i].Overspill = LitFraction(crossings[i]);
+      }
+    });
 }
 
 bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, const std::vector<LightExtent>& lights,

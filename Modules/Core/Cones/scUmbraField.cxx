@@ -8,6 +8,7 @@
 #include "scRandom.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace shadowcones
 {
@@ -19,6 +20,8 @@ constexpr int pointsOnSphere = 256;
 constexpr int pointsOnRim = 32;
 /// Points of a block see the same discs.
 constexpr int blockSide = 4;
+/// The grid is divided into at most this many parts a side that look at every disc.
+constexpr int coarseBlocks = 16;
 
 Vector3 OnCircle(const Vector3& axis, double radius, int k)
 {
@@ -107,54 +110,107 @@ double UmbraField::Value(const Vector3& point) const
   return this->Value(point, all, HUGE_VAL);
 }
 
-bool UmbraField::Sample(const RegularGrid& grid, const Box& region, const Monitor& monitor, float* values) const
+/// Blocks [Begin, End) of a grid, of blockSide points a side.
+struct UmbraField::Blocks
+{
+  std::array<int, 3> Begin;
+  std::array<int, 3> End;
+
+  int Side(int axis) const { return this->End[axis] - this->Begin[axis]; }
+  int Longest() const
+  {
+    const bool first = this->Side(0) >= this->Side(1) && this->Side(0) >= this->Side(2);
+    return first ? 0 : this->Side(1) >= this->Side(2) ? 1 : 2;
+  }
+  /// First and last point along each axis.
+  std::array<int, 3> FirstPoint() const
+  {
+    return { this->Begin[0] * blockSide, this->Begin[1] * blockSide, this->Begin[2] * blockSide };
+  }
+  std::array<int, 3> LastPoint(const RegularGrid& grid) const
+  {
+    std::array<int, 3> last{};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      last[axis] = std::min(this->End[axis] * blockSide, grid.Dimensions[axis]) - 1;
+    }
+    return last;
+  }
+};
+
+void UmbraField::SampleBlocks(const RegularGrid& grid, const Box& region, const Blocks& blocks,
+  const std::vector<int>& candidates, float* values) const
 {
   const double largest = 2.0 * Length(grid.Spacing);
-  vtkIdType blocks[3];
+  const std::array<int, 3> first = blocks.FirstPoint();
+  const std::array<int, 3> last = blocks.LastPoint(grid);
+  const Vector3 low = grid.Point(first[0], first[1], first[2]);
+  const Vector3 high = grid.Point(last[0], last[1], last[2]);
+  const int longest = blocks.Longest();
+  const bool isLeaf = blocks.Side(longest) == 1;
+  // Grown by what counts, so that values near 0 are continuous across blocks. What reaches a block is not farther from
+  // the middle of any that holds it than that one is long.
+  const double reach = (isLeaf ? 0.5 : 1.0) * Length(high - low) + largest;
+  std::vector<int> near;
+  for (const int index : candidates)
+  {
+    if (this->Penumbrae[index].Distance(0.5 * (low + high)) <= reach)
+    {
+      near.push_back(index);
+    }
+  }
+  if (!isLeaf && !near.empty())
+  {
+    Blocks half = blocks;
+    half.End[longest] = blocks.Begin[longest] + blocks.Side(longest) / 2;
+    this->SampleBlocks(grid, region, half, near, values);
+    half.Begin[longest] = half.End[longest];
+    half.End[longest] = blocks.End[longest];
+    this->SampleBlocks(grid, region, half, near, values);
+    return;
+  }
+  for (int k = first[2]; k <= last[2]; ++k)
+  {
+    for (int j = first[1]; j <= last[1]; ++j)
+    {
+      for (int i = first[0]; i <= last[0]; ++i)
+      {
+        const Vector3 point = grid.Point(i, j, k);
+        const Vector3 below = region.Min - point;
+        const Vector3 above = point - region.Max;
+        const double outside = std::max({ below.X, below.Y, below.Z, above.X, above.Y, above.Z });
+        values[(static_cast<vtkIdType>(k) * grid.Dimensions[1] + j) * grid.Dimensions[0] + i] =
+          static_cast<float>(std::max(outside, this->Value(point, near, largest)));
+      }
+    }
+  }
+}
+
+bool UmbraField::Sample(const RegularGrid& grid, const Box& region, const Monitor& monitor, float* values) const
+{
+  // Each coarse block looks at every disc, those inside at what is left: discs cost where they are.
+  std::vector<int> all(this->Discs.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::array<vtkIdType, 3> blocks{};
+  std::array<vtkIdType, 3> coarse{};
   for (int axis = 0; axis < 3; ++axis)
   {
     blocks[axis] = (grid.Dimensions[axis] + blockSide - 1) / blockSide;
+    coarse[axis] = std::min<vtkIdType>(blocks[axis], coarseBlocks);
   }
-  return ParallelFor(blocks[0] * blocks[1] * blocks[2], monitor,
-    [&](vtkIdType first, vtkIdType last)
+  return ParallelFor(coarse[0] * coarse[1] * coarse[2], monitor,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<int> candidates;
-      for (vtkIdType b = first; b < last; ++b)
+      for (vtkIdType b = begin; b < end; ++b)
       {
-        const int begin[3] = { static_cast<int>(b % blocks[0]) * blockSide,
-          static_cast<int>(b / blocks[0] % blocks[1]) * blockSide,
-          static_cast<int>(b / blocks[0] / blocks[1]) * blockSide };
-        int end[3];
+        const vtkIdType index[3] = { b % coarse[0], b / coarse[0] % coarse[1], b / coarse[0] / coarse[1] };
+        Blocks part{};
         for (int axis = 0; axis < 3; ++axis)
         {
-          end[axis] = std::min(begin[axis] + blockSide, grid.Dimensions[axis]);
+          part.Begin[axis] = static_cast<int>(PieceBound(blocks[axis], index[axis], coarse[axis]));
+          part.End[axis] = static_cast<int>(PieceBound(blocks[axis], index[axis] + 1, coarse[axis]));
         }
-        const Vector3 low = grid.Point(begin[0], begin[1], begin[2]);
-        const Vector3 high = grid.Point(end[0] - 1, end[1] - 1, end[2] - 1);
-        candidates.clear();
-        for (std::size_t i = 0; i < this->Discs.size(); ++i)
-        {
-          // Grown by what counts, so that values near 0 are continuous across blocks.
-          if (this->Penumbrae[i].Distance(0.5 * (low + high)) <= 0.5 * Length(high - low) + largest)
-          {
-            candidates.push_back(static_cast<int>(i));
-          }
-        }
-        for (int k = begin[2]; k < end[2]; ++k)
-        {
-          for (int j = begin[1]; j < end[1]; ++j)
-          {
-            for (int i = begin[0]; i < end[0]; ++i)
-            {
-              const Vector3 point = grid.Point(i, j, k);
-              const Vector3 below = region.Min - point;
-              const Vector3 above = point - region.Max;
-              const double outside = std::max({ below.X, below.Y, below.Z, above.X, above.Y, above.Z });
-              values[(static_cast<vtkIdType>(k) * grid.Dimensions[1] + j) * grid.Dimensions[0] + i] =
-                static_cast<float>(std::max(outside, this->Value(point, candidates, largest)));
-            }
-          }
-        }
+        this->SampleBlocks(grid, region, part, all, values);
       }
     });
 }

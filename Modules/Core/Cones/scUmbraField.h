@@ -10,6 +10,9 @@
 #include "scLight.h"
 #include "scRegularGrid.h"
 
+#include <array>
+#include <vector>
+
 namespace shadowcones
 {
 
@@ -54,7 +57,10 @@ private:
     Vector3 Position;
     double Scale;
   };
+  struct Blocks;
   double Value(const Vector3& point, const std::vector<int>& candidates, double largest) const;
+  void SampleBlocks(const RegularGrid& grid, const Box& region, const Blocks& blocks, const std::vector<int>& candidates,
+    float* values) const;
 
   std::vector<Disc> Discs;
   std::vector<PointOfLight> Points;

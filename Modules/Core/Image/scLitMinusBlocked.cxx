@@ -12,8 +12,7 @@ namespace shadowcones
 {
 namespace
 {
-/// Cones and grid cells are looked for once for so many pixels by so many.
-constexpr int blockSide = 8;
+constexpr int blockSide = LitMinusBlocked::BlockSide;
 /// Largest error of the unshadowed light over itself, and this share of what Guided's pixels may err by. Rays that are
 /// not checked err by half of it, say.
 constexpr double litTolerance = 1e-3;

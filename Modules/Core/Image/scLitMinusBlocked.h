@@ -35,6 +35,9 @@ namespace shadowcones
 class LitMinusBlocked
 {
 public:
+  /// Cones and grid cells are looked for once for so many pixels by so many.
+  static constexpr int BlockSide = 8;
+
   LitMinusBlocked(const LitMinusBlockedScene& shared, const PrimaryHits& hits, ScatteringImage& image);
 
   /// Pixels of a tile that lies in one of LitTile's squares.

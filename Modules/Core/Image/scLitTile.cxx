@@ -74,6 +74,10 @@ LitTile::LitTile(const LitQuadrature& quadrature, const Camera& camera, int widt
 
 void LitTile::MoveTo(int i0, int j0)
 {
+  if (!this->Leaves.empty() && i0 == this->I0 && j0 == this->J0)
+  {
+    return;
+  }
   this->I0 = i0;
   this->J0 = j0;
   this->Leaves.clear();

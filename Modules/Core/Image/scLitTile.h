@@ -38,7 +38,7 @@ public:
   LitTile(const LitQuadrature& quadrature, const Camera& camera, int width, int height, double tolerance,
     const std::vector<double>& typical);
 
-  /// Prepare the square whose first pixel is (i0, j0).
+  /// Prepare the square whose first pixel is (i0, j0), unless it is the one at hand.
   void MoveTo(int i0, int j0);
   /// The profile of pixel (i, j), counted over the whole image, in the square; parts of a pixel count from its centre.
   void Interpolate(double i, double j, LitPixel& pixel);

@@ -25,7 +25,12 @@ MediumTerm::MediumTerm(
 {
 }
 
-int MediumTerm::TileSide(ScatteringMode mode)
+int MediumTerm::BlockSide(ScatteringMode mode)
+{
+  return IsMarched(mode) ? 4 : LitMinusBlocked::BlockSide;
+}
+
+int MediumTerm::SquareSide(ScatteringMode mode)
 {
   return IsMarched(mode) ? 4 : LitTile::Side;
 }

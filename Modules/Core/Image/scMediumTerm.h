@@ -31,10 +31,12 @@ public:
   MediumTerm(
     const RenderContext& context, const LitMinusBlockedScene* lit, const PrimaryHits& hits, ScatteringImage& image);
 
-  /// Tiles of this side are rendered at once: small ones where nothing is shared, so that an abort is served soon.
-  static int TileSide(ScatteringMode mode);
+  /// Blocks of this side are rendered at once, and those of a square of the other side share what is costly to find: large
+  /// ones only where there is such a thing, so that an abort is served soon.
+  static int BlockSide(ScatteringMode mode);
+  static int SquareSide(ScatteringMode mode);
 
-  /// @p tile lies inside the extent, aligned to pixel (0, 0) of the whole image.
+  /// @p tile lies inside the extent and one square, aligned to pixel (0, 0) of the whole image.
   void RenderTile(const TileRange& tile);
 
   vtkIdType NumberOfOcclusionRays() const

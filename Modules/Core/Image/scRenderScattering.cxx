@@ -169,21 +169,34 @@ bool ImageRenderer::RenderMedium(
   }
   const std::unique_ptr<LitMinusBlockedScene> own = this->Lit[light] ? nullptr : this->PrepareLit(light);
   const LitMinusBlockedScene* lit = this->Lit[light] ? this->Lit[light].get() : own.get();
-  const std::vector<TileRange> tiles = TilesOf(image.Extent, MediumTerm::TileSide(this->Options.Mode));
+  // A square's blocks go together: they share its unshadowed light.
+  std::vector<TileRange> blocks;
+  std::vector<vtkIdType> squares;
+  for (const TileRange& square : TilesOf(image.Extent, MediumTerm::SquareSide(this->Options.Mode)))
+  {
+    squares.push_back(static_cast<vtkIdType>(blocks.size()));
+    const std::vector<TileRange> inside =
+      TilesOf({ square.I0, square.I1, square.J0, square.J1 }, MediumTerm::BlockSide(this->Options.Mode));
+    blocks.insert(blocks.end(), inside.begin(), inside.end());
+  }
+  squares.push_back(static_cast<vtkIdType>(blocks.size()));
   std::mutex gathering;
-  return ParallelFor(static_cast<vtkIdType>(tiles.size()), monitor,
-    [&](vtkIdType begin, vtkIdType end)
+  std::vector<std::shared_ptr<MediumTerm>> terms; // one a thread
+  const bool finished = ParallelForGroups(squares, monitor,
+    [&]() -> ItemBody
     {
-      MediumTerm term(context, lit, hits, image);
-      for (vtkIdType tile = begin; tile < end; ++tile)
-      {
-        term.RenderTile(tiles[static_cast<std::size_t>(tile)]);
-      }
+      const auto term = std::make_shared<MediumTerm>(context, lit, hits, image);
       const std::lock_guard<std::mutex> lock(gathering);
-      image.NumberOfOcclusionRays += term.NumberOfOcclusionRays();
-      image.NumberOfThickRays += term.NumberOfThickRays();
-      image.MarchOpticalDepth = std::max(image.MarchOpticalDepth, term.MarchOpticalDepth());
+      terms.push_back(term);
+      return [term, &blocks](vtkIdType block) { term->RenderTile(blocks[static_cast<std::size_t>(block)]); };
     });
+  for (const auto& term : terms)
+  {
+    image.NumberOfOcclusionRays += term->NumberOfOcclusionRays();
+    image.NumberOfThickRays += term->NumberOfThickRays();
+    image.MarchOpticalDepth = std::max(image.MarchOpticalDepth, term->MarchOpticalDepth());
+  }
+  return finished;
 }
 
 /// The medium terms of all lights.

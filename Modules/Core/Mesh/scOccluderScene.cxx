@@ -42,7 +42,8 @@ struct Query
   double End = HUGE_VAL;                   ///< of vectors: HUGE_VAL, or theirs where it is 0
   float ClearHeight = 1.0f;                ///< factor of a group's
   bool TakesClear = true;                  ///< hits beyond doubt need no look at their triangle
-  std::vector<vtkIdType>* Found = nullptr; ///< all triangles that are crossed, some of them more than once
+  /// All triangles that are crossed, some of them more than once.
+  std::vector<OccluderScene::MetTriangle>* Found = nullptr;
 
   Query(const TriangleMeshView& mesh, const RayRules& rules)
     : Mesh(mesh)
@@ -200,7 +201,7 @@ void Decide(const RTCFilterFunctionNArguments* arguments, unsigned int i, bool c
       Crosses(query.RayOf(index), mesh.Corner(triangle, 0), mesh.Corner(triangle, 1), mesh.Corner(triangle, 2)));
   if (met && query.Found)
   {
-    query.Found->push_back(triangle);
+    query.Found->push_back({ static_cast<int>(index), triangle });
   }
   if (!met || query.Found)
   {
@@ -547,6 +548,9 @@ struct OccluderScene::Implementation
     return false;
   }
 
+  /// Ask the one cell that there is for up to 64 rays from one point. @return bits of those that are kept from going on.
+  std::uint64_t TraceFrom(const Vector3& origin, std::uint64_t wanted, Query& query) const;
+
   /// The triangles that a lamp's plane makes rays pass by.
   struct PassedBy
   {
@@ -756,24 +760,24 @@ void OccluderScene::IntersectAll(const Vector3& origin, const Vector3& direction
   std::vector<RayHit>& hits, const RayRules& rules) const
 {
   hits.clear();
-  thread_local std::vector<vtkIdType> found;
+  thread_local std::vector<MetTriangle> found;
   found.clear();
   Query query = this->Impl->QueryOf(origin, direction, tMin, tMax, rules);
   query.Found = &found;
   query.TakesClear = false;
   const TriangleMeshView& mesh = this->Impl->Mesh;
   this->Impl->Trace(query, nullptr);
-  for (const vtkIdType triangle : found)
+  for (const MetTriangle& met : found)
   {
-    FetchIds(mesh, triangle);
+    FetchIds(mesh, met.Triangle);
   }
-  for (const vtkIdType triangle : found)
+  for (const MetTriangle& met : found)
   {
-    FetchCorners(mesh, triangle);
+    FetchCorners(mesh, met.Triangle);
   }
-  for (const vtkIdType triangle : found)
+  for (const MetTriangle& met : found)
   {
-    hits.push_back(HitOf(mesh, triangle, origin, direction));
+    hits.push_back(HitOf(mesh, met.Triangle, origin, direction));
   }
   std::sort(hits.begin(), hits.end(),
     [](const RayHit& a, const RayHit& b) { return a.T != b.T ? a.T < b.T : a.Triangle < b.Triangle; });
@@ -789,6 +793,32 @@ bool OccluderScene::Occluded(
   return this->Impl->Trace(query, nullptr);
 }
 
+std::uint64_t OccluderScene::Implementation::TraceFrom(const Vector3& origin, std::uint64_t wanted, Query& query) const
+{
+  const OccluderCell& cell = this->Cells.Cells[0];
+  const bool infinity = query.End > 0.0;
+  query.SetScale(cell.Scale);
+  query.Origins = &origin;
+  const Vector3 start = cell.Scale * (origin - cell.Center);
+  // From far away each ray starts at the bounds, at its own place.
+  const bool isNear = Dot(start, start) < farthestOrigin * farthestOrigin;
+  std::uint64_t occluded = 0;
+  for (unsigned int first = 0; first < 64; first += rayPacketSize)
+  {
+    const auto asked = static_cast<unsigned int>(wanted >> first) & ((1u << rayPacketSize) - 1u);
+    if (asked == 0)
+    {
+      continue;
+    }
+    RayPacket packet;
+    isNear ? SetNearRays(cell, start, query.X + first, query.Y + first, query.Z + first, asked, first, infinity, packet)
+           : SetFarRays(query, cell, asked, first, packet);
+    AnyOfPacket(packet.Valid, this->Scenes[0].Scene, query, packet.Traced.ray);
+    occluded |= static_cast<std::uint64_t>(BlockedRays(packet)) << first;
+  }
+  return occluded;
+}
+
 std::uint64_t OccluderScene::OccludedFrom(const Vector3& origin, const double* x, const double* y, const double* z,
   std::uint64_t wanted, bool infinity, const RayRules& rules) const
 {
@@ -797,9 +827,9 @@ std::uint64_t OccluderScene::OccludedFrom(const Vector3& origin, const double* x
   {
     return 0;
   }
-  std::uint64_t occluded = 0;
   if (impl.Scenes.size() > 1)
   {
+    std::uint64_t occluded = 0;
     for (int k = 0; k < 64; ++k)
     {
       const Vector3 to{ x[k], y[k], z[k] };
@@ -810,31 +840,46 @@ std::uint64_t OccluderScene::OccludedFrom(const Vector3& origin, const double* x
     }
     return occluded;
   }
-  const OccluderCell& cell = impl.Cells.Cells[0];
   Query query(impl.Mesh, rules);
-  query.SetScale(cell.Scale);
-  query.Origins = &origin;
   query.X = x;
   query.Y = y;
   query.Z = z;
   query.End = infinity ? HUGE_VAL : 0.0;
-  const Vector3 start = cell.Scale * (origin - cell.Center);
-  // From far away each ray starts at the bounds, at its own place.
-  const bool isNear = Dot(start, start) < farthestOrigin * farthestOrigin;
-  for (unsigned int first = 0; first < 64; first += rayPacketSize)
+  return impl.TraceFrom(origin, wanted, query);
+}
+
+void OccluderScene::TrianglesFrom(const Vector3& origin, const double* x, const double* y, const double* z,
+  std::uint64_t wanted, bool infinity, std::vector<MetTriangle>& met, const RayRules& rules) const
+{
+  met.clear();
+  const Implementation& impl = *this->Impl;
+  if (impl.Bounds.Empty() || !IsFinite(origin))
   {
-    const auto asked = static_cast<unsigned int>(wanted >> first) & ((1u << rayPacketSize) - 1u);
-    if (asked == 0)
-    {
-      continue;
-    }
-    RayPacket packet;
-    isNear ? SetNearRays(cell, start, x + first, y + first, z + first, asked, first, infinity, packet)
-           : SetFarRays(query, cell, asked, first, packet);
-    AnyOfPacket(packet.Valid, impl.Scenes[0].Scene, query, packet.Traced.ray);
-    occluded |= static_cast<std::uint64_t>(BlockedRays(packet)) << first;
+    return;
   }
-  return occluded;
+  if (impl.Scenes.size() > 1)
+  {
+    thread_local std::vector<RayHit> hits;
+    for (int k = 0; k < 64; ++k)
+    {
+      const Vector3 to{ x[k], y[k], z[k] };
+      const double distance = (wanted >> k) & 1u ? Length(to) : 0.0;
+      if (distance > 0.0)
+      {
+        this->IntersectAll(origin, (1.0 / distance) * to, 0.0, infinity ? HUGE_VAL : distance, hits, rules);
+        std::for_each(hits.begin(), hits.end(), [&met, k](const RayHit& hit) { met.push_back({ k, hit.Triangle }); });
+      }
+    }
+    return;
+  }
+  Query query(impl.Mesh, rules);
+  query.X = x;
+  query.Y = y;
+  query.Z = z;
+  query.End = infinity ? HUGE_VAL : 0.0;
+  query.Found = &met;
+  query.TakesClear = false; // the traversal goes on behind what it meets
+  impl.TraceFrom(origin, wanted, query);
 }
 
 Vector3 OccluderScene::TriangleNormal(vtkIdType triangle) const

@@ -110,6 +110,15 @@ public:
    */
   std::uint64_t OccludedFrom(const Vector3& origin, const double* x, const double* y, const double* z,
     std::uint64_t wanted, bool infinity, const RayRules& rules = {}) const;
+  /// A triangle that ray @p Ray of up to 64 meets.
+  struct MetTriangle
+  {
+    int Ray;
+    vtkIdType Triangle;
+  };
+  /// For the rays of OccludedFrom() all that they meet on their way, in no order, some more than once; @p met is overwritten.
+  void TrianglesFrom(const Vector3& origin, const double* x, const double* y, const double* z, std::uint64_t wanted,
+    bool infinity, std::vector<MetTriangle>& met, const RayRules& rules = {}) const;
   /// Unit normal of a triangle by its winding.
   Vector3 TriangleNormal(vtkIdType triangle) const;
 

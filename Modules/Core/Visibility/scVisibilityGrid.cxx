@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// One file because marking, filling and refining are steps of one grid and ask by one sampler.
 #include "scVisibilityGrid.h"
 
 #include "scConeHierarchy.h"
@@ -6,6 +7,8 @@
 #include "scTrilinear.h"
 #include "scVisibilitySampler.h"
 #include "scWholeLight.h"
+
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>
@@ -72,6 +75,35 @@ void ForEachPoint(const std::array<int, 3>& corner, int side, int step, Visitor&
       }
     }
   }
+}
+
+/// Where the parts of each brick begin among all, and their number: parts of one brick stand together.
+std::vector<std::size_t> BricksOf(const std::vector<Part>& parts)
+{
+  std::vector<std::size_t> begins;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    if (p == 0 || parts[p].Brick != parts[p - 1].Brick)
+    {
+      begins.push_back(p);
+    }
+  }
+  begins.push_back(parts.size());
+  return begins;
+}
+
+/// Call visit(brick, first, last) for the parts [first, last) of each brick, by several threads.
+template <typename Visitor>
+void ForEachBrick(const std::vector<std::size_t>& bricks, const Visitor& visit)
+{
+  ParallelFor(static_cast<vtkIdType>(bricks.size()) - 1, {},
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto brick = static_cast<std::size_t>(begin); brick < static_cast<std::size_t>(end); ++brick)
+      {
+        visit(brick, bricks[brick], bricks[brick + 1]);
+      }
+    });
 }
 
 /// What collect(k, found) finds in layers first..last - 1, in their order. @return false where aborted.
@@ -143,7 +175,10 @@ private:
   bool FillBricks(const Monitor& monitor);
   bool FindBricks(const Monitor& monitor, std::vector<Part>& parts);
   bool NeedsBrick(int i, int j, int k) const;
+  template <typename Visitor>
+  void ForEachInside(const Part& part, int step, int smaller, const Visitor& visit);
   bool AskInside(const std::vector<Part>& parts, int step, int smaller, const Monitor& monitor);
+  void SplitPart(const Part& part, int step, int smaller, std::vector<Part>& unresolved);
   void Split(const std::vector<Part>& parts, int step, int smaller, std::vector<Part>& unresolved);
   std::array<vtkIdType, 3> CellAt(vtkIdType cell) const
   {
@@ -337,47 +372,65 @@ bool Filler::FindBricks(const Monitor& monitor, std::vector<Part>& parts)
   grid.BrickVisibility.resize(grid.BrickCells.size() * values * values * values);
   for (std::size_t brick = 0; brick < grid.BrickCells.size(); ++brick)
   {
-    const auto [i, j, k] = this->CellAt(grid.BrickCells[brick]);
     parts.push_back({ brick, { 0, 0, 0 } });
-    ForEachPoint({ 0, 0, 0 }, side, side,
-      [&, i = i, j = j, k = k](int a, int b, int c)
-      {
-        this->BrickValue(brick, a, b, c) = grid.Visibility[grid.VertexIndex(
-          static_cast<int>(i) + a / side, static_cast<int>(j) + b / side, static_cast<int>(k) + c / side)];
-      });
   }
+  ForEachBrick(BricksOf(parts),
+    [&](std::size_t brick, std::size_t, std::size_t)
+    {
+      const auto [i, j, k] = this->CellAt(grid.BrickCells[brick]);
+      ForEachPoint({ 0, 0, 0 }, side, side,
+        [&, i = i, j = j, k = k](int a, int b, int c)
+        {
+          this->BrickValue(brick, a, b, c) = grid.Visibility[grid.VertexIndex(
+            static_cast<int>(i) + a / side, static_cast<int>(j) + b / side, static_cast<int>(k) + c / side)];
+        });
+    });
   return true;
+}
+
+/// Call visit(point, value) for the points of a part that are @p smaller apart and not its corners. Points are counted on
+/// the grid that all cells would have if they were bricks.
+template <typename Visitor>
+void Filler::ForEachInside(const Part& part, int step, int smaller, const Visitor& visit)
+{
+  const int side = this->Grid.BrickParts;
+  const vtkIdType nx = static_cast<vtkIdType>(this->Grid.Dimensions[0] - 1) * side + 1;
+  const vtkIdType ny = static_cast<vtkIdType>(this->Grid.Dimensions[1] - 1) * side + 1;
+  const auto [i, j, k] = this->CellAt(this->Grid.BrickCells[part.Brick]);
+  const vtkIdType first = i * side + nx * (j * side + ny * (k * side));
+  ForEachPoint(part.Corner, step, smaller,
+    [&](int a, int b, int c)
+    {
+      const bool corner =
+        (a - part.Corner[0]) % step == 0 && (b - part.Corner[1]) % step == 0 && (c - part.Corner[2]) % step == 0;
+      if (!corner)
+      {
+        visit(first + a + nx * (b + ny * c), this->BrickValue(part.Brick, a, b, c));
+      }
+    });
 }
 
 /// Ask at the points inside cubes of side @p step that are @p smaller apart, once where several share one.
 bool Filler::AskInside(const std::vector<Part>& parts, int step, int smaller, const Monitor& monitor)
 {
-  VisibilityGrid& grid = this->Grid;
+  const VisibilityGrid& grid = this->Grid;
   const int side = grid.BrickParts;
   const vtkIdType nx = static_cast<vtkIdType>(grid.Dimensions[0] - 1) * side + 1;
   const vtkIdType ny = static_cast<vtkIdType>(grid.Dimensions[1] - 1) * side + 1;
-  const auto forEachPoint = [&](const auto& visit)
-  {
-    for (const Part& part : parts)
+  const std::vector<std::size_t> bricks = BricksOf(parts);
+  const auto along = static_cast<std::size_t>(step / smaller) + 1;
+  const std::size_t inside = along * along * along - 8;
+  std::vector<vtkIdType> points(inside * parts.size());
+  ForEachBrick(bricks,
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      const auto [i, j, k] = this->CellAt(grid.BrickCells[part.Brick]);
-      const vtkIdType first = i * side + nx * (j * side + ny * (k * side));
-      ForEachPoint(part.Corner, step, smaller,
-        [&](int a, int b, int c)
-        {
-          const bool corner =
-            (a - part.Corner[0]) % step == 0 && (b - part.Corner[1]) % step == 0 && (c - part.Corner[2]) % step == 0;
-          if (!corner)
-          {
-            visit(first + a + nx * (b + ny * c), this->BrickValue(part.Brick, a, b, c));
-          }
-        });
-    }
-  };
-
-  std::vector<vtkIdType> points;
-  forEachPoint([&](vtkIdType point, float&) { points.push_back(point); });
-  std::sort(points.begin(), points.end());
+      std::size_t at = inside * first;
+      for (std::size_t p = first; p < last; ++p)
+      {
+        this->ForEachInside(parts[p], step, smaller, [&](vtkIdType point, float&) { points[at++] = point; });
+      }
+    });
+  vtkSMPTools::Sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   std::vector<float> values(points.size(), 1.0f);
   std::atomic<vtkIdType> sent{ 0 };
@@ -399,41 +452,63 @@ bool Filler::AskInside(const std::vector<Part>& parts, int step, int smaller, co
       }
       sent += rays;
     });
-  forEachPoint(
-    [&](vtkIdType point, float& value) {
-      value = values[static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), point) - points.begin())];
+  const auto valueOf = [&](vtkIdType point)
+  { return values[static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), point) - points.begin())]; };
+  ForEachBrick(bricks,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t p = first; p < last; ++p)
+      {
+        this->ForEachInside(parts[p], step, smaller, [&](vtkIdType point, float& value) { value = valueOf(point); });
+      }
     });
-  grid.NumberOfOcclusionRays += sent;
+  this->Grid.NumberOfOcclusionRays += sent;
   return done;
 }
 
-/// Cut cubes of side @p step into those of side @p smaller, filled from their corners; list those that need more.
+/// Cut a cube of side @p step into those of side @p smaller, filled from their corners; add those that need more.
+void Filler::SplitPart(const Part& part, int step, int smaller, std::vector<Part>& unresolved)
+{
+  ForEachPoint(part.Corner, step - smaller, smaller,
+    [&](int a0, int b0, int c0)
+    {
+      float corners[8];
+      float* corner = corners;
+      ForEachPoint({ a0, b0, c0 }, smaller, smaller,
+        [&](int a, int b, int c) { *corner++ = this->BrickValue(part.Brick, a, b, c); });
+      const auto range = std::minmax_element(corners, corners + 8);
+      if (*range.second - *range.first > this->Options.RefinementThreshold)
+      {
+        unresolved.push_back({ part.Brick, { a0, b0, c0 } });
+      }
+      const auto within = [smaller](int from, int to)
+      { return CellCoordinate(static_cast<double>(to - from) / smaller, 2); };
+      ForEachPoint({ a0, b0, c0 }, smaller, 1,
+        [&](int a, int b, int c)
+        {
+          this->BrickValue(part.Brick, a, b, c) =
+            static_cast<float>(ValueAt(corners, 2, 2, within(a0, a), within(b0, b), within(c0, c)));
+        });
+    });
+}
+
+/// Split all cubes, those of a brick in their order.
 void Filler::Split(const std::vector<Part>& parts, int step, int smaller, std::vector<Part>& unresolved)
 {
-  unresolved.clear();
-  for (const Part& part : parts)
-  {
-    ForEachPoint(part.Corner, step - smaller, smaller,
-      [&](int a0, int b0, int c0)
+  const std::vector<std::size_t> bricks = BricksOf(parts);
+  std::vector<std::vector<Part>> found(bricks.size() - 1);
+  ForEachBrick(bricks,
+    [&](std::size_t brick, std::size_t first, std::size_t last)
+    {
+      for (std::size_t p = first; p < last; ++p)
       {
-        float corners[8];
-        float* corner = corners;
-        ForEachPoint({ a0, b0, c0 }, smaller, smaller,
-          [&](int a, int b, int c) { *corner++ = this->BrickValue(part.Brick, a, b, c); });
-        const auto range = std::minmax_element(corners, corners + 8);
-        if (*range.second - *range.first > this->Options.RefinementThreshold)
-        {
-          unresolved.push_back({ part.Brick, { a0, b0, c0 } });
-        }
-        const auto within = [smaller](int from, int to)
-        { return CellCoordinate(static_cast<double>(to - from) / smaller, 2); };
-        ForEachPoint({ a0, b0, c0 }, smaller, 1,
-          [&](int a, int b, int c)
-          {
-            this->BrickValue(part.Brick, a, b, c) =
-              static_cast<float>(ValueAt(corners, 2, 2, within(a0, a), within(b0, b), within(c0, c)));
-          });
-      });
+        this->SplitPart(parts[p], step, smaller, found[brick]);
+      }
+    });
+  unresolved.clear();
+  for (const std::vector<Part>& ofBrick : found)
+  {
+    unresolved.insert(unresolved.end(), ofBrick.begin(), ofBrick.end());
   }
 }
 

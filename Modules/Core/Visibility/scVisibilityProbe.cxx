@@ -23,7 +23,7 @@ struct Scratch
   OccluderMasks Masks;
   LightMask Above; ///< samples that the point's own surface lets through
   LightMask Seen;  ///< those of them that no occluder hides
-  std::vector<RayHit> Hits;
+  std::vector<OccluderScene::MetTriangle> Met;
   std::vector<int> Discs; ///< that may hide light
 };
 
@@ -184,17 +184,12 @@ struct VisibilityProbe::Implementation
         scratch.Masks.Of(*this->OnlyOccluder)[block] |= hidden;
         continue;
       }
-      for (std::uint64_t left = hidden; left != 0; left &= left - 1)
+      // Whose shadow it is asks for all that a ray meets.
+      this->Scene->TrianglesFrom(point, view.X.data() + first, view.Y.data() + first, view.Z.data() + first, hidden,
+        this->AtInfinity, scratch.Met, rules);
+      for (const OccluderScene::MetTriangle& met : scratch.Met)
       {
-        const auto k = first + static_cast<std::size_t>(LowestBit(left));
-        const Vector3 to{ view.X[k], view.Y[k], view.Z[k] };
-        const double distance = Length(to);
-        this->Scene->IntersectAll(
-          point, (1.0 / distance) * to, 0.0, this->AtInfinity ? HUGE_VAL : distance, scratch.Hits, rules);
-        for (const RayHit& hit : scratch.Hits)
-        {
-          scratch.Masks.Of(this->Scene->Mesh().OccluderId(hit.Triangle))[block] |= left & ~(left - 1);
-        }
+        scratch.Masks.Of(this->Scene->Mesh().OccluderId(met.Triangle))[block] |= std::uint64_t(1) << met.Ray;
       }
     }
   }

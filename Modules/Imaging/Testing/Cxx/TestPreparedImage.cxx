@@ -24,6 +24,9 @@ protected:
     shadowcones::AddIntArray(this->Mesh->GetCellData(), "OccluderId", 1,
       std::vector<int>(static_cast<std::size_t>(this->Mesh->GetNumberOfCells()), 0));
     this->Filter->SetDensityData(this->Density);
+    this->Filter->SetRelativeErrorGoal(0.1);
+    this->Filter->SetSoftDimensions(9, 9, 9);
+    this->Volume->SetDimensions(13, 13, 13);
   }
 
   /// Of a filter that has nothing of another image.

@@ -195,8 +195,6 @@ TEST_P(ParallelForWithBackend, TheMonitorIsServedOnTheCallingThread)
   EXPECT_LT(done, 400);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, ParallelForWithBackend, testing::Values("Sequential", "STDThread", "TBB", "OpenMP"),
-  [](const testing::TestParamInfo<const char*>& info) { return std::string(info.param); });
 
 TEST(ParallelFor, ManyThreadsAreBusyWhateverTheItemsTake)
 {
@@ -213,14 +211,74 @@ TEST(ParallelFor, ManyThreadsAreBusyWhateverTheItemsTake)
     const double all = std::accumulate(items.begin(), items.end(), 0.0);
     for (const int threads : { 1, 2, 16, 64 })
     {
-      const double seconds = LoopRecorder::Replay(items, threads, 2e-6);
+      const double seconds = LoopRecorder::Replay({ 0.0, items, {} }, threads, 2e-6);
       EXPECT_GE(seconds, all / threads);
       EXPECT_GT(all, 0.9 * threads * seconds) << items.size() << " items on " << threads << " threads";
     }
   }
   // What no order can mend: one item that is longer than the others together.
-  EXPECT_NEAR(LoopRecorder::Replay({ 1.0, 0.01, 0.01 }, 16, 0.0), 1.0, 1e-12);
+  EXPECT_NEAR(LoopRecorder::Replay({ 0.0, { 1.0, 0.01, 0.01 }, {} }, 16, 0.0), 1.0, 1e-12);
 }
+
+TEST(LoopRecorder, ThreadsHelpWithTheLastGroups)
+{
+  // Four groups of 16 items, one of them slow: 16 seconds for its thread, if nobody helped.
+  LoopRecorder::Loop loop;
+  for (vtkIdType item = 0; item < 64; ++item)
+  {
+    loop.Items.push_back(item < 48 ? 0.01 : 1.0);
+  }
+  loop.Groups = { 0, 16, 32, 48, 64 };
+  EXPECT_NEAR(LoopRecorder::Replay(loop, 1, 0.0), 16.48, 1e-9);
+  EXPECT_LT(LoopRecorder::Replay(loop, 4, 0.0), 4.6);
+  // The first item prepares the group, which every helper has to do too.
+  loop.Items[48] = 3.0;
+  EXPECT_NEAR(LoopRecorder::Replay(loop, 1, 0.0), 18.48, 1e-9);
+  EXPECT_GT(LoopRecorder::Replay(loop, 4, 0.0), 6.0);
+  EXPECT_LT(LoopRecorder::Replay(loop, 4, 0.0), 7.0);
+}
+
+TEST_P(ParallelForWithBackend, GroupsAreDoneOnceEach)
+{
+  std::vector<vtkIdType> groups;
+  for (vtkIdType first = 0, size = 1; first < 2000; first += size, size = size % 23 + 1)
+  {
+    groups.push_back(first);
+  }
+  groups.push_back(2000);
+  for (const int threads : { 1, 2, 7 })
+  {
+    vtkSMPTools::Initialize(threads);
+    std::unique_ptr<std::atomic<int>[]> visits(new std::atomic<int>[2000]());
+    std::atomic<int> bodies{ 0 };
+    std::vector<double> seen;
+    Monitor monitor;
+    monitor.Progress = [&](double share) { seen.push_back(share); };
+    EXPECT_TRUE(ParallelForGroups(groups, monitor,
+      [&]
+      {
+        ++bodies;
+        return [&](vtkIdType item) { ++visits[item]; };
+      }));
+    for (vtkIdType i = 0; i < 2000; ++i)
+    {
+      ASSERT_EQ(visits[i], 1) << i;
+    }
+    EXPECT_LE(bodies, std::max(threads, 1));
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+    EXPECT_EQ(seen.back(), 1.0);
+  }
+  EXPECT_THROW(ParallelForGroups({ 0, 5, 9 }, {},
+                 [] { return [](vtkIdType item) { item == 7 ? throw std::length_error("seven") : void(); }; }),
+    std::length_error);
+  EXPECT_TRUE(ParallelForGroups({}, {}, []() -> ItemBody { throw std::logic_error("nothing to do"); }));
+  Monitor stopped;
+  stopped.Aborted = [] { return true; };
+  EXPECT_FALSE(ParallelForGroups({ 0, 1 }, stopped, []() -> ItemBody { throw std::logic_error("nothing to do"); }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, ParallelForWithBackend, testing::Values("Sequential", "STDThread", "TBB", "OpenMP"),
+  [](const testing::TestParamInfo<const char*>& info) { return std::string(info.param); });
 
 TEST(LoopRecorder, NotesEveryItemOfOuterLoops)
 {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 using namespace shadowcones;
@@ -77,6 +79,45 @@ TEST(UmbraField, TwoDiscsHideTogether)
   EXPECT_GT(UmbraField({ DiscAt(-0.3, 0.4) }, light, 10.0).Value(between), 0.0);
   EXPECT_GT(UmbraField({ DiscAt(-0.45, 0.4), DiscAt(0.45, 0.4) }, light, 10.0).Value(between), 0.0)
     << "through the gap";
+}
+
+TEST(UmbraField, SamplesOfManyDiscsAreThoseOfALookAtEveryDisc)
+{
+  std::vector<Cone> discs;
+  for (int k = 0; k < 120; ++k)
+  {
+    Cone disc = DiscAt(0.9 * std::cos(2.4 * k) * std::sqrt(k / 30.0), 0.12 + 0.002 * k);
+    disc.Center.Y = 0.9 * std::sin(2.4 * k) * std::sqrt(k / 30.0);
+    disc.Center.Z = 2.0 + 0.004 * k;
+    discs.push_back(disc);
+  }
+  const Box region{ { -2.0, -2.0, 2.0 }, { 2.0, 2.0, 4.0 } };
+  const UmbraField field(discs, DiscLight(0.3), 10.0, region);
+  const RegularGrid grid = GridOver(region, 40);
+  std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
+  ASSERT_TRUE(field.Sample(grid, region, {}, values.data()));
+  const double largest = 2.0 * Length(grid.Spacing);
+  int near = 0;
+  vtkIdType id = 0;
+  for (int k = 0; k < grid.Dimensions[2]; ++k)
+  {
+    for (int j = 0; j < grid.Dimensions[1]; ++j)
+    {
+      for (int i = 0; i < grid.Dimensions[0]; ++i, ++id)
+      {
+        const Vector3 p = grid.Point(i, j, k);
+        const bool inside = region.Contains(p) && std::fabs(values[id]) < 0.99 * largest;
+        if (inside && (i + j + k) % 5 == 0)
+        {
+          const double outside = std::max({ region.Min.X - p.X, p.X - region.Max.X, region.Min.Y - p.Y,
+            p.Y - region.Max.Y, region.Min.Z - p.Z, p.Z - region.Max.Z });
+          ASSERT_NEAR(values[id], std::max(field.Value(p), outside), 1e-6) << i << " " << j << " " << k;
+          ++near;
+        }
+      }
+    }
+  }
+  EXPECT_GT(near, 300);
 }
 
 TEST(UmbraField, SamplesHaveTheSignOfTheField)
