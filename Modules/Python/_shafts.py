@@ -117,7 +117,7 @@ def defaults_of(occluders, lights, axis):
 
 
 def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, medium=None, sigma_s=None, sigma_a=0.0,
-                 up=None, exposure=None, seed=1, progress=None):
+                 asymmetry=0.0, up=None, exposure=None, seed=1, progress=None):
     """The light shafts that a camera sees around a mesh in a thin medium: fog, smoke, water.
 
     Args:
@@ -131,6 +131,8 @@ def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, 
         medium: the box of the medium, (x from, x to, y from, y to, z from, z to), world units. Default: around the mesh.
         sigma_s: scattering coefficient, 1 / world unit. Default: 0.7 over the medium's largest size.
         sigma_a: absorption coefficient, 1 / world unit.
+        asymmetry: mean cosine of scattering, between -1 and 1: 0 scatters evenly, 0.4 to 0.8 is haze that glows towards the light
+            (Henyey and Greenstein).
         up: "x", "y" or "z", for defaults and for a sun in words. Default: see vtkSceneDefaults.
         exposure: what 1 / (W m^-2 sr^-1) shows as white. Default: found from the image.
         seed: of the random numbers; the same seed gives the same bytes.
@@ -184,6 +186,9 @@ def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, 
     image.SetMediumBounds(*medium)
     image.SetSigmaS(defaults.GetSigmaS() if sigma_s is None else sigma_s)
     image.SetSigmaA(sigma_a)
+    if asymmetry:
+        image.SetPhaseFunctionToHenyeyGreenstein()
+        image.SetPhaseAsymmetry(asymmetry)
     image.SetSeed(seed)
     if exposure is not None:
         image.AutoExposureOff()

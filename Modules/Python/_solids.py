@@ -77,14 +77,15 @@ class Solids:
                 f"inner {self.inner.GetNumberOfPolys()}>")
 
 
-def shadow_solids(mesh, light, *, bounds=None, resolution=64, vectors=5800, seed=1, progress=None):
+def shadow_solids(mesh, light, *, bounds=None, resolution=64, progress=None):
     """Closed surfaces around the shadow of each occluder, fit for Booleans, clipping and measuring.
 
     Args:
-        mesh, light, vectors, seed, progress: as in cones().
+        mesh, light, progress: as in cones().
         bounds: the box that cuts them, (x from, x to, y from, y to, z from, z to), world units. Default: they end at the
             length of the mesh's diagonal.
-        resolution: cells along the longest side of a surface's grid; it is true to about one of them.
+        resolution: cells along the longest side of a surface's grid. Faces lie where the light begins and ends to be hidden;
+            edges and tips are rounded off within a cell.
 
     Returns:
         Solids: outer and inner (vtkPolyData, triangles, cell data "OccluderId", "LightId"), save(path).
@@ -95,12 +96,14 @@ def shadow_solids(mesh, light, *, bounds=None, resolution=64, vectors=5800, seed
     Example:
         >>> import shadowcones as sc
         >>> from vtkmodules.vtkFiltersSources import vtkSphereSource
-        >>> solids = sc.shadow_solids(vtkSphereSource(), "point:0,0,3", resolution=16, vectors=500)
+        >>> solids = sc.shadow_solids(vtkSphereSource(), "point:0,0,3", resolution=16)
         >>> solids.save("shadow.stl")
     """
-    fitted = cone_set_of(mesh, light, vectors, seed)
+    occluders = _meshes.occluders_of(mesh)  # an output port does not keep its filter alive
     volume = sc.vtkShadowVolume()
-    volume.SetInputConnection(fitted.GetOutputPort())
+    volume.SetMethodToVisibility()
+    volume.SetMeshConnection(occluders.GetOutputPort())
+    _lights.connect(volume, _lights.lights_of(light))
     volume.SetResolution(resolution)
     if bounds is not None:
         volume.SetBounds(*bounds)
