@@ -5,6 +5,7 @@
 import common
 import numpy as np
 import shadowcones as sc
+from vtkmodules.vtkRenderingCore import vtkCamera
 
 ROOM = (0, 6, 0, 3, -2, 2)
 
@@ -38,13 +39,15 @@ def main():
     options = common.parser(__doc__, 1200)
     options.add_argument("--goal", type=float, default=0.02, help="relative error of a pixel (default: 0.02)")
     arguments = common.parse(options)
-    shot = sc.light_shafts(
-        room() + blinds(14), "sun: direction 1,-0.42,-0.12 irradiance 800 W/m2",
-        camera=((4.6, 1.6, 1.85), (1.2, 1.3, -0.4), (0, 1, 0)), size=(arguments.size, arguments.size * 5 // 8),
-        error=arguments.goal, medium=ROOM, sigma_s=0.12, asymmetry=0.4, view_angle=62)
-    path = f"{arguments.output}/blinds.png"
-    shot.save(path)
-    print(f"wrote {path}: {shot}")
+    camera = vtkCamera()
+    camera.SetPosition(4.9, 1.55, 1.8)
+    camera.SetFocalPoint(1.0, 1.25, -0.4)
+    camera.SetViewAngle(62)
+    shot = sc.light_shafts(room() + blinds(14), "sun: direction 1,-0.42,-0.12 irradiance 800 W/m2", camera,
+                           (arguments.size, arguments.size * 5 // 8), arguments.goal, medium=ROOM, sigma_s=0.12,
+                           asymmetry=0.4)
+    shot.save(f"{arguments.output}/blinds.png")
+    print(f"wrote {arguments.output}/blinds.png: {shot}")
 
 
 if __name__ == "__main__":

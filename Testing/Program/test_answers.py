@@ -88,6 +88,37 @@ class AnswerTest(ProgramTest):
             total += (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6
         return total
 
+    def test_eclipse(self):
+        """Beside the middle of the Moon's shadow the overlap of two discs, and behind the tip of its umbra a ring of Sun."""
+        moon, distance, sun = 1737.4, 149597870.0, 695700.0
+        rows, columns = 120, 240
+        lines = ["v %.9g %.9g %.9g" % (moon * math.cos(b) * math.cos(a), moon * math.cos(b) * math.sin(a), moon * math.sin(b))
+                 for b in (math.pi * (row / rows - 0.5) for row in range(rows + 1))
+                 for a in (2 * math.pi * column / columns for column in range(columns))]
+        for row in range(rows):
+            for column in range(columns):
+                corners = [(row, column), (row, (column + 1) % columns), (row + 1, (column + 1) % columns), (row + 1, column)]
+                lines.append("f " + " ".join(str(r * columns + c + 1) for r, c in corners))
+        self.write("moon.obj", "\n".join(lines) + "\n")
+        places = [(370000.0, 0.0), (370000.0, 1500.0), (395000.0, 0.0), (370000.0, 3000.0)]
+        answers = self.answer("probe", "moon.obj", "--light", f"sphere:{-distance},0,0", "radius", sun, "--samples", 16384, "-q",
+                              *(word for x, y in places for word in ("--at", f"{x},{y},0")))
+        for (x, y), row in zip(places, answers):
+            a = math.asin(sun / math.hypot(x + distance, y))
+            b = math.asin(moon / math.hypot(x, y))
+            c = abs(math.atan2(y, x) - math.atan2(y, x + distance))
+            self.assertAlmostEqual(float(row["Visibility"]), 1 - self.overlap(a, b, c) / (math.pi * a * a), delta=0.005)
+
+    def overlap(self, a, b, c):
+        """The area that two discs share, of radii a and b, whose middles are c apart."""
+        if c >= a + b:
+            return 0.0
+        if c <= abs(a - b):
+            return math.pi * min(a, b) ** 2
+        first = math.acos((c * c + a * a - b * b) / (2 * c * a))
+        second = math.acos((c * c + b * b - a * a) / (2 * c * b))
+        return a * a * (first - math.sin(2 * first) / 2) + b * b * (second - math.sin(2 * second) / 2)
+
     def test_sun_hours(self):
         """At the equator on an equinox the Sun is up for 12 hours; beside a high wall in the east only after noon."""
         self.write("wall.obj", "v 1 -1000 -1\nv 1 1000 -1\nv 1 1000 1000\nv 1 -1000 1000\nf 1 2 3 4\n")
