@@ -64,6 +64,7 @@ void KeptImage::KeepPixels(const ScatteringImage& image, const ImageScene& scene
   }
   AddDoubleArray(field, "RelativeErrorGoal", 1, { scene.Options.RelativeErrorGoal });
   AddIdArray(field, "NumberOfOcclusionRays", { image.NumberOfOcclusionRays });
+  AddIdArray(field, "NumberOfShadowLines", { image.NumberOfShadowLines });
   AddDoubleArray(field, "RenderSeconds", 1, { seconds });
   AddDoubleArray(field, "LightWavelengths", 1, scene.Lights.Wavelengths);
   WriteCamera(scene.UsedCamera, field);

@@ -78,7 +78,9 @@
  *
  * Field data: "LightFingerprint" (unsigned 64-bit, one value a light), "Mode" (int), "Seed" (int),
  * "RelativeErrorGoal" (double), "NumberOfOcclusionRays" (vtkIdType; of this
- * run and extent: those that filled a visibility volume before are in the volume's field data), "RenderSeconds"
+ * run and extent: those that filled a visibility volume before are in the volume's field data), "NumberOfShadowLines"
+ * (vtkIdType; Guided: whole lines whose shadow was found at once, each counted as 16 samples and rays; 0: a first look
+ * found that samples cost less), "RenderSeconds"
  * (double; the one array that differs from run to run), "CameraPosition", "CameraFocalPoint", "CameraViewUp" (double, 3
  * components), "CameraViewAngle" (double, degrees), "CameraParallelProjection" (int), "CameraParallelScale" (double),
  * "SigmaS", "SigmaA" (double, one component a wavelength sample), "MediumBounds" (double, 6 components),

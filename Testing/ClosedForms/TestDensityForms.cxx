@@ -179,12 +179,13 @@ TEST(DensityForms, AConstantImageIsTheHomogeneousMedium)
 {
   const double density = 0.7;
   const DensityGrid grid = SampleDensity(
-    { { 5, 6, 7 } }, { -2.5, -2.5, -2.5 }, UnitAxes({ 1.25, 1.0, 1.0 }), [density](const Vector3&) { return density; });
+    { { 5, 6, 7 } }, { -2.5, -2.5, -2.5 }, UnitAxes({ 1.25, 1.0, 1.0 }),
+    [density](const Vector3& p) { return density * (1.0 + 1e-6 * p.X); }); // one that is constant would be left out
   for (const ScatteringMode mode : Modes)
   {
     Room room;
     room.Options.RelativeErrorGoal = 0.0; // so that both take the same number of samples
-    room.Options.MaximumSamples = 64;
+    room.Options.MaximumSamples = 63; // fewer than lines are taken for
     room.Fog.Density = &grid;
     const ScatteringImage dense = room.Render(mode);
     room.Fog.Density = nullptr;
@@ -209,6 +210,33 @@ TEST(DensityForms, AConstantImageIsTheHomogeneousMedium)
       EXPECT_EQ(dense.NumberOfOcclusionRays, plain.NumberOfOcclusionRays);
     }
   }
+}
+
+TEST(DensityForms, AConstantImageCostsNothing)
+{
+  // The very bytes of the homogeneous medium: a half and a quarter are exact.
+  const DensityGrid grid = SampleDensity(
+    { { 5, 6, 7 } }, { -2.5, -2.5, -2.5 }, UnitAxes({ 1.25, 1.0, 1.0 }), [](const Vector3&) { return 0.25; });
+  for (const ScatteringMode mode : { ScatteringMode::BruteForce, ScatteringMode::Guided })
+  {
+    Room room;
+    room.Fog.Density = &grid;
+    const ScatteringImage dense = room.Render(mode);
+    room.Fog.Density = nullptr;
+    for (int k = 0; k < 2; ++k)
+    {
+      room.Fog.SigmaS[k] *= 0.25;
+      room.Fog.SigmaA[k] *= 0.25;
+    }
+    const ScatteringImage plain = room.Render(mode);
+    EXPECT_EQ(dense.InScattering, plain.InScattering) << NameOf(mode);
+    EXPECT_EQ(dense.Radiance, plain.Radiance) << NameOf(mode);
+  }
+  // Of a grid that ends inside of the bounds the density is not the same everywhere.
+  double value = 0.0;
+  EXPECT_TRUE(IsConstantIn(grid, { { -2.0, -2.0, -2.0 }, { 2.0, 2.0, 2.0 } }, value));
+  EXPECT_EQ(value, 0.25);
+  EXPECT_FALSE(IsConstantIn(grid, { { -2.6, -2.0, -2.0 }, { 2.0, 2.0, 2.0 } }, value));
 }
 
 TEST(DensityForms, ExponentialAtmosphere)

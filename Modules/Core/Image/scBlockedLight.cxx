@@ -12,7 +12,6 @@ namespace shadowcones
 {
 namespace
 {
-constexpr int cells = LitProfileLayout::Cells;
 /// Samples of a first look at a pixel.
 constexpr int fewestSamples = 8;
 constexpr int mostFirstSamples = 32;
@@ -64,6 +63,8 @@ BlockedLight::BlockedLight(const RenderContext& context)
   , Sampler(context.Scene.Light, context.Options.Sampling)
   , OpticalDepth(context.Scene.Medium)
   , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
+  , Intervals(context.Groups)
+  , Ratio(context.Groups)
 {
   Sequence();
 }
@@ -73,27 +74,7 @@ bool BlockedLight::Begin(const LitSums& lit, const std::vector<RayInterval>& int
   this->Samples = 0;
   this->OcclusionRays = 0;
   this->Forget();
-  this->Inside.assign(static_cast<std::size_t>(this->Groups.Count()), 0.0);
-  this->MeanInside = 0.0;
-  this->LightIntervals.clear();
-  this->Distributed = 0.0;
-  const double all = lit.SumUpTo(lit.CellAt(lit.End()));
-  for (const RayInterval& interval : intervals)
-  {
-    const double begin = std::min(lit.SumUpTo(lit.CellAt(interval.Begin)), all);
-    const double end = std::min(lit.SumUpTo(lit.CellAt(interval.End)), all);
-    if (end > begin)
-    {
-      this->LightIntervals.push_back({ begin, end - begin, this->Distributed });
-      this->Distributed += end - begin;
-      lit.AddBetween(interval.Begin, interval.End, this->Inside);
-    }
-  }
-  for (std::size_t g = 0; g < this->Inside.size(); ++g)
-  {
-    this->MeanInside += this->Groups.MeanScatteredRadiance[g] * this->Inside[g];
-  }
-  if (!(this->Distributed > 0.0))
+  if (!this->Intervals.Set(lit, intervals))
   {
     return false;
   }
@@ -104,11 +85,9 @@ bool BlockedLight::Begin(const LitSums& lit, const std::vector<RayInterval>& int
 
 void BlockedLight::Forget()
 {
-  const auto groups = static_cast<std::size_t>(this->Groups.Count());
   this->Passes.clear();
   this->SumOfWeights = 0.0;
-  this->All.assign(groups, 0.0);
-  this->Visible.assign(groups, 0.0);
+  this->Ratio.Forget();
 }
 
 void BlockedLight::EstimateFrom(
@@ -118,7 +97,7 @@ void BlockedLight::EstimateFrom(
   {
     this->Sample(lit, count, HashSeed(seed, 0));
   }
-  this->Conclude(lit, 0.0);
+  this->Conclude(0.0);
 }
 
 void BlockedLight::Look(
@@ -131,28 +110,28 @@ void BlockedLight::Look(
   const double goal = this->Options.RelativeErrorGoal;
   if (!this->Begin(lit, intervals))
   {
-    this->Conclude(lit, yardstick.LitError);
+    this->Conclude(yardstick.LitError);
     return;
   }
   const int most = std::max(this->Options.MaximumSamples, 1);
   if (!(goal > 0.0))
   {
-    this->Ratio = 1.0;
+    this->Ratio.LeaveAll(this->Intervals);
     this->Wanted = most;
     return;
   }
   const double largest = std::max(lit.Mean(), yardstick.Darkest);
-  const double first = std::ceil(std::pow(expectedSpread * this->MeanInside / (goal * largest), 4.0 / 3.0));
+  const double first = std::ceil(std::pow(expectedSpread * this->Intervals.MeanInside() / (goal * largest), 4.0 / 3.0));
   const double count = std::clamp<double>(first, fewestSamples, mostFirstSamples);
   this->Sample(lit, static_cast<int>(std::min<double>(count, most)), HashSeed(seed, 0));
-  this->Conclude(lit, yardstick.LitError);
+  this->Conclude(yardstick.LitError);
   this->Wanted = std::max<double>(std::ceil(this->SamplesFor(this->Allowed())), fewestSamples);
 }
 
 double BlockedLight::Allowed() const
 {
   // Where the unshadowed light is too wrong already, shadows need not be much better.
-  const double wanted = this->Options.RelativeErrorGoal * std::max(this->MeanLeft, this->Measure.Darkest);
+  const double wanted = this->Options.RelativeErrorGoal * std::max(this->Ratio.MeanLeft(), this->Measure.Darkest);
   return std::max(wanted * wanted - (this->SquaredError - this->SampledVariance), 0.25 * wanted * wanted);
 }
 
@@ -172,7 +151,7 @@ void BlockedLight::Estimate(int most)
   {
     this->Sample(
       lit, static_cast<int>(std::min<double>(this->Wanted, most - this->Samples)), HashSeed(this->Seed, pass));
-    this->Conclude(lit, this->Measure.LitError);
+    this->Conclude(this->Measure.LitError);
     const double allowed = this->Allowed();
     if (this->SampledVariance <= farOff * farOff * allowed)
     {
@@ -191,15 +170,15 @@ double BlockedLight::EdgeVariance(const Pass& pass) const
     return 0.0;
   }
   // Neighbours differ by the light point and by the place: this rates the sum as if light points were independent.
-  const double r = this->Ratio;
+  const double r = this->Ratio.Ratio();
   const double squares = pass.VisibleVisible - 2.0 * r * pass.AllVisible + r * r * pass.AllAll;
-  return std::max(0.5 * squares, 0.0) * pass.Count / (pass.Count - 1) * this->PerAll * this->PerAll;
+  return std::max(0.5 * squares, 0.0) * pass.Count / (pass.Count - 1) * this->Ratio.PerAll() * this->Ratio.PerAll();
 }
 
 double BlockedLight::UnseenVariance(const Pass& pass) const
 {
   const bool alike = pass.NumberOfVisible == 0 || pass.NumberOfVisible == pass.NumberOfLit;
-  const double unseen = (alike ? unseenSpread : edgeSpread) * this->MeanInside / pass.Count;
+  const double unseen = (alike ? unseenSpread : edgeSpread) * this->Intervals.MeanInside() / pass.Count;
   return unseen * unseen;
 }
 
@@ -233,62 +212,16 @@ double BlockedLight::SamplesFor(double variance) const
   return n;
 }
 
-void BlockedLight::Conclude(const LitSums& lit, double litError)
+void BlockedLight::Conclude(double litError)
 {
-  const std::vector<double>& whole = lit.Groups();
-  this->LeftOfGroups.assign(whole.begin(), whole.end());
-  this->MeanLeft = lit.Mean();
+  this->Ratio.Conclude(this->Intervals, this->SumOfWeights);
   this->SampledVariance = 0.0;
-  this->SquaredError = litError * litError;
-  if (this->Passes.empty())
-  {
-    return;
-  }
-  double all = 0.0;
-  double visible = 0.0;
-  for (std::size_t g = 0; g < whole.size(); ++g)
-  {
-    all += this->Groups.MeanScatteredRadiance[g] * this->All[g];
-    visible += this->Groups.MeanScatteredRadiance[g] * this->Visible[g];
-  }
-  this->Ratio = all > 0.0 ? visible / all : 1.0;
-  this->PerAll = all > 0.0 ? this->MeanInside * this->SumOfWeights / all : 0.0;
-  this->MeanLeft = 0.0;
-  for (std::size_t g = 0; g < whole.size(); ++g)
-  {
-    const double ratio = this->All[g] > 0.0 ? this->Visible[g] / this->All[g] : this->Ratio;
-    this->LeftOfGroups[g] = whole[g] - this->Inside[g] * (1.0 - ratio);
-    this->MeanLeft += this->Groups.MeanScatteredRadiance[g] * this->LeftOfGroups[g];
-  }
   for (const Pass& pass : this->Passes)
   {
     const double weight = pass.Weight / this->SumOfWeights;
     this->SampledVariance += weight * weight * (this->EdgeVariance(pass) + this->UnseenVariance(pass));
   }
-  // The unshadowed term enters by its sum in the intervals times the ratio, and by what lies outside of them.
-  const bool outside = lit.Mean() > (1.0 + 1e-9) * this->MeanInside;
-  const double hidden = outside ? 1.0 - this->Ratio : 0.0;
-  this->SquaredError =
-    this->SampledVariance + litError * litError * (this->Ratio * this->Ratio + hidden * hidden);
-}
-
-double BlockedLight::MoveTo(double light, const LitSums& lit, Node& node) const
-{
-  while (node.LightInterval + 1 < this->LightIntervals.size() &&
-    light >= this->LightIntervals[node.LightInterval + 1].Before)
-  {
-    ++node.LightInterval;
-  }
-  const LightInterval& interval = this->LightIntervals[node.LightInterval];
-  const double target = interval.Begin + (light - interval.Before);
-  while (node.Cell + 1 < cells && target >= lit.SumUpTo({ node.Cell, 1.0 }))
-  {
-    ++node.Cell;
-  }
-  const double inCell = lit.Of(node.Cell);
-  const double fraction =
-    inCell > 0.0 ? std::clamp((target - lit.SumUpTo({ node.Cell, 0.0 })) / inCell, 0.0, 1.0) : 0.5;
-  return lit.DistanceOf({ node.Cell, fraction });
+  this->SquaredError = this->Ratio.SquaredError(this->Intervals, this->SampledVariance, litError);
 }
 
 void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
@@ -296,6 +229,7 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
   const Ray& ray = lit.Profile().Line;
   const int groups = this->Groups.Count();
   const OccluderScene& occluders = this->Scene.Occluders;
+  const double distributed = this->Intervals.Distributed();
   const LightSequence& sequence = Sequence();
   RandomStream random(seed, 0);
   Pass pass;
@@ -304,7 +238,7 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
   std::uint32_t scrambleU = 0;
   std::uint32_t scrambleV = 0;
 
-  Node node;
+  IntervalLight::Node node;
   double allBefore = 0.0;
   double visibleBefore = 0.0;
   for (int k = 0; k < count; ++k)
@@ -316,7 +250,7 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
       scrambleU = static_cast<std::uint32_t>(scramble >> 32);
       scrambleV = static_cast<std::uint32_t>(scramble);
     }
-    const double t = this->MoveTo((k + random.Next()) / count * this->Distributed, lit, node);
+    const double t = this->Intervals.MoveTo((k + random.Next()) / count * distributed, node);
     const double inCell = lit.Of(node.Cell);
     const Vector3 point = ray.Origin + t * ray.Direction;
 
@@ -334,13 +268,12 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
       const double depth =
         this->OpticalDepth.Along(t) + this->OpticalDepth.Towards(point, sample.Direction, sample.Distance);
       // Over the density of places: the light in the cell per its width, over all of the intervals' light.
-      const double weight = this->Distributed * lit.Width(node.Cell) / inCell / count;
+      const double weight = distributed * lit.Width(node.Cell) / inCell / count;
       for (int g = 0; g < groups; ++g)
       {
         const auto group = static_cast<std::size_t>(g);
         const double part = weight * source * TransmittanceOver(this->Groups.SigmaT[group], depth);
-        this->All[group] += pass.Weight * part;
-        this->Visible[group] += blocked ? 0.0 : pass.Weight * part;
+        this->Ratio.Add(group, pass.Weight * part, blocked ? 0.0 : pass.Weight * part);
         all += this->Groups.MeanScatteredRadiance[group] * part;
       }
       visible = blocked ? 0.0 : all;

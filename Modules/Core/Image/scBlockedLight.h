@@ -5,20 +5,19 @@
  *
  * The unshadowed term is known in 64 cells of the ray: see scLitProfileLayout.h. Where cones allow for shadow, samples are
  * taken at places spread evenly over the unshadowed light in these intervals, each with a light point of its own: of
- * the n places and light points every n-th part holds one. What is visible in the intervals is their unshadowed light
- * times a ratio of two sums over the same samples: the light of those that see the lamp over the light of all. So
- * nothing is left where all are blocked, all is left where none is, and an error of the unshadowed term is as large,
- * relatively, in what is left.
+ * the n places and light points every n-th part holds one. What is left of the light is a ratio: see scVisibleRatio.h.
  */
 #ifndef scBlockedLight_h
 #define scBlockedLight_h
 
+#include "scIntervalLight.h"
 #include "scLightSampler.h"
 #include "scLitSums.h"
 #include "scMediumOpticalDepth.h"
 #include "scOccluderScene.h"
 #include "scRayInterval.h"
 #include "scRenderContext.h"
+#include "scVisibleRatio.h"
 
 #include <cstdint>
 #include <vector>
@@ -46,9 +45,9 @@ public:
   void Look(
     const LitSums& lit, const std::vector<RayInterval>& intervals, const Yardstick& yardstick, std::uint64_t seed);
   /// Is there an estimate to be made, and did the look see no light in the intervals?
-  bool LooksDark() const { return this->Wanted > 0.0 && this->Ratio == 0.0; }
+  bool LooksDark() const { return this->Wanted > 0.0 && this->Ratio.Ratio() == 0.0; }
   /// Did any sample see the lamp?
-  bool SeesLight() const { return !this->Passes.empty() && this->Ratio > 0.0; }
+  bool SeesLight() const { return !this->Passes.empty() && this->Ratio.Ratio() > 0.0; }
   /// Samples that the look asks for.
   double NumberOfWantedSamples() const { return this->Wanted; }
   /**
@@ -61,19 +60,13 @@ public:
   void EstimateFrom(int count, const LitSums& lit, const std::vector<RayInterval>& intervals, std::uint64_t seed);
 
   /// Results of the last estimate: what is left of every group, and of the mean over wavelengths its squared error.
-  const std::vector<double>& Left() const { return this->LeftOfGroups; }
+  const std::vector<double>& Left() const { return this->Ratio.Left(); }
   double Variance() const { return this->SquaredError; }
   int NumberOfSamples() const { return this->Samples; }
   vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
+  vtkIdType NumberOfLines() const { return 0; }
 
 private:
-  /// A interval in the unshadowed light: from where to where, and how much came in intervals before.
-  struct LightInterval
-  {
-    double Begin = 0.0;
-    double Light = 0.0;
-    double Before = 0.0;
-  };
   /// Samples of one pass, as means over wavelengths: sums over neighbours of products of their differences.
   struct Pass
   {
@@ -85,18 +78,10 @@ private:
     double AllVisible = 0.0;
     double VisibleVisible = 0.0;
   };
-  /// Where a sample is; samples ascend.
-  struct Node
-  {
-    std::size_t LightInterval = 0;
-    int Cell = 0;
-  };
-  /// To where so much of the light in the intervals lies before. @return the distance along the ray.
-  double MoveTo(double light, const LitSums& lit, Node& node) const;
   bool Begin(const LitSums& lit, const std::vector<RayInterval>& intervals);
   void Sample(const LitSums& lit, int count, std::uint64_t seed);
   void Forget();
-  void Conclude(const LitSums& lit, double litError);
+  void Conclude(double litError);
   /// Squared error that samples may have.
   double Allowed() const;
   /// Of one pass over n^-3/2, from what its samples show.
@@ -116,20 +101,12 @@ private:
   Yardstick Measure;
   std::uint64_t Seed = 0;
   double Wanted = 0.0; ///< samples of the next pass; 0: nothing to do
-  std::vector<LightInterval> LightIntervals;
-  std::vector<double> Inside;  ///< unshadowed light in the intervals, per group
-  double MeanInside = 0.0;     ///< over wavelengths
-  double Distributed = 0.0;    ///< the same by the distribution of places
+  IntervalLight Intervals;
   std::vector<Pass> Passes;
   double SumOfWeights = 0.0;
-  std::vector<double> All;     ///< weighted sums over passes, per group
-  std::vector<double> Visible;
-  std::vector<double> LeftOfGroups;
-  double MeanLeft = 0.0;
-  double Ratio = 1.0;          ///< visible over all, means over wavelengths
-  double PerAll = 0.0;         ///< light for each unit of All
+  VisibleRatio Ratio;
   double SampledVariance = 0.0;
-  double SquaredError = 0.0;   ///< with that of the unshadowed light
+  double SquaredError = 0.0; ///< with that of the unshadowed light
   int Samples = 0;
   vtkIdType OcclusionRays = 0;
 };

@@ -21,6 +21,7 @@ constexpr double litFraction = 0.2;
 /// block.
 constexpr int darkSamples = 64;
 constexpr int blockSamples = 16;
+constexpr int blockLines = 2;
 
 double LitTolerance(const ScatteringOptions& options)
 {
@@ -44,6 +45,11 @@ LitMinusBlocked::LitMinusBlocked(const LitMinusBlockedScene& shared, const Prima
   , OtherSums(Groups)
   , OtherBlocked(shared.Context)
 {
+  if (shared.Lines)
+  {
+    this->Lines = std::make_unique<LinesOfLight>(shared.Context, *shared.Lines);
+    this->OtherLines = std::make_unique<LinesOfLight>(shared.Context, *shared.Lines);
+  }
   if (this->Scene.Cones && this->Options.Mode == ScatteringMode::Guided)
   {
     this->Beam = std::make_unique<ConeBeam>(*this->Scene.Cones);
@@ -180,13 +186,41 @@ bool LitMinusBlocked::IsBlockDark()
     depth.SetRay(ray.Origin, ray.Direction, lit.MediumBegin, lit.End);
     this->OtherSums.Add(this->OtherPixel, interval.EndOfMarch, depth.IsHomogeneous() ? nullptr : &depth);
     this->OtherSums.Accumulate();
-    this->OtherBlocked.EstimateFrom(blockSamples, this->OtherSums, this->Intervals,
-      HashSeed(HashSeed(this->Options.Seed, static_cast<std::uint64_t>(place)),
-        PixelIndex(this->Options, this->BlockI, this->BlockJ)));
-    this->OcclusionRays += this->OtherBlocked.NumberOfOcclusionRays();
-    this->Darkness = this->OtherBlocked.SeesLight() ? 0 : 1;
+    const std::uint64_t seed = HashSeed(HashSeed(this->Options.Seed, static_cast<std::uint64_t>(place)),
+      PixelIndex(this->Options, this->BlockI, this->BlockJ));
+    const bool light = this->OtherLines && this->OtherLines->Fit(this->OtherPixel)
+      ? this->SeesLight(*this->OtherLines, blockLines, seed)
+      : this->SeesLight(this->OtherBlocked, blockSamples, seed);
+    this->Darkness = light ? 0 : 1;
   }
   return this->Darkness > 0;
+}
+
+/// Along the other ray of the block.
+template <class Estimator>
+bool LitMinusBlocked::SeesLight(Estimator& estimator, int count, std::uint64_t seed)
+{
+  estimator.EstimateFrom(count, this->OtherSums, this->Intervals, seed);
+  this->OcclusionRays += estimator.NumberOfOcclusionRays();
+  this->ShadowLines += estimator.NumberOfLines();
+  return estimator.SeesLight();
+}
+
+/// What occluders leave of the sums, in the intervals.
+template <class Estimator>
+void LitMinusBlocked::EstimateBy(Estimator& estimator, std::uint64_t seed)
+{
+  const double smallest = LitMinusBlockedScene::DarkestFraction * this->Shared.TypicalMean;
+  estimator.Look(this->Sums, this->Intervals,
+    { this->Shared.Darkest, 0.5 * this->Pixel.Tolerance * std::max(this->Sums.Mean(), smallest) }, seed);
+  const bool dark =
+    estimator.LooksDark() && estimator.NumberOfWantedSamples() > darkSamples && this->IsBlockDark();
+  estimator.Estimate(dark ? darkSamples : this->Options.MaximumSamples);
+  this->Left = estimator.Left();
+  this->Variance = estimator.Variance();
+  this->Samples = estimator.NumberOfSamples();
+  this->OcclusionRays += estimator.NumberOfOcclusionRays();
+  this->ShadowLines += estimator.NumberOfLines();
 }
 
 /// What is left of the light along the ray of Pixel, up to a surface. @return false where the ray has none.
@@ -215,16 +249,8 @@ bool LitMinusBlocked::EstimateRay(const PrimaryHit& hit, std::uint64_t seed)
     {
       this->Sums.Accumulate();
     }
-    const double smallest = LitMinusBlockedScene::DarkestFraction * this->Shared.TypicalMean;
-    this->Blocked.Look(this->Sums, this->Intervals,
-      { this->Shared.Darkest, 0.5 * this->Pixel.Tolerance * std::max(this->Sums.Mean(), smallest) }, seed);
-    const bool dark =
-      this->Blocked.LooksDark() && this->Blocked.NumberOfWantedSamples() > darkSamples && this->IsBlockDark();
-    this->Blocked.Estimate(dark ? darkSamples : this->Options.MaximumSamples);
-    this->Left = this->Blocked.Left();
-    this->Variance = this->Blocked.Variance();
-    this->Samples = this->Blocked.NumberOfSamples();
-    this->OcclusionRays += this->Blocked.NumberOfOcclusionRays();
+    this->Lines && this->Lines->Fit(this->Pixel) ? this->EstimateBy(*this->Lines, seed)
+                                                 : this->EstimateBy(this->Blocked, seed);
   }
   else if (this->Shared.Grid)
   {

@@ -8,6 +8,7 @@
 
 #include "scBlockedLight.h"
 #include "scConeBeam.h"
+#include "scLinesOfLight.h"
 #include "scLitMinusBlockedScene.h"
 #include "scLitPixel.h"
 #include "scLitSums.h"
@@ -43,6 +44,7 @@ public:
   /// Pixels of a tile that lies in one of LitTile's squares.
   void RenderTile(const TileRange& tile);
   vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
+  vtkIdType NumberOfShadowLines() const { return this->ShadowLines; }
 
 private:
   void RenderBlock(const TileRange& block);
@@ -50,6 +52,10 @@ private:
   bool EstimateRay(const PrimaryHit& hit, std::uint64_t seed);
   void FindIntervals(const Ray& ray, const MediumInterval& interval);
   bool IsBlockDark();
+  template <class Estimator>
+  void EstimateBy(Estimator& estimator, std::uint64_t seed);
+  template <class Estimator>
+  bool SeesLight(Estimator& estimator, int count, std::uint64_t seed);
 
   const LitMinusBlockedScene& Shared;
   const ScatteringScene& Scene;
@@ -62,9 +68,11 @@ private:
   LitSums Sums;
   MediumOpticalDepth OpticalDepth;
   BlockedLight Blocked;
+  std::unique_ptr<LinesOfLight> Lines; ///< nullptr: not of this light
   LitPixel OtherPixel; ///< of another ray of the block
   LitSums OtherSums;
   BlockedLight OtherBlocked;
+  std::unique_ptr<LinesOfLight> OtherLines;
   std::unique_ptr<ConeBeam> Beam;
   std::vector<RayInterval> Intervals; ///< of the ray at hand where occluders may block
   std::array<LitPixel, 4> Corners; ///< of the block
@@ -79,6 +87,7 @@ private:
   double Variance = 0.0;    ///< of its mean over wavelengths
   int Samples = 0;
   vtkIdType OcclusionRays = 0;
+  vtkIdType ShadowLines = 0;
 };
 
 } // namespace shadowcones

@@ -2,6 +2,7 @@
 #include "scLitMinusBlockedScene.h"
 
 #include "scBlockedLight.h"
+#include "scLinesOfLight.h"
 #include "scLitPixel.h"
 #include "scLitTile.h"
 #include "scMediumInterval.h"
@@ -21,8 +22,17 @@ namespace
 /// is not known.
 constexpr int lookSide = 8;
 constexpr int lookSamples = 16;
-/// The image's mean over wavelengths, from few samples of rays all over it, whatever part of it is asked for.
-double LookAtImage(const LitMinusBlockedScene& shared)
+/// A line costs as much as so many samples, and as much for every group of triangles that is looked at.
+constexpr double costOfLine = 3.0;
+constexpr double costOfGroup = 0.15;
+/// Lines are not thought of where a mesh has more triangles.
+constexpr vtkIdType mostTriangles = 1 << 16;
+/// What they would cost is told for this goal where none is given.
+constexpr double usualGoal = 0.01;
+
+/// Call visit(sums, intervals, seed) for rays all over the image, whatever part of it is asked for.
+template <typename Visitor>
+void LookAlongRays(const LitMinusBlockedScene& shared, Visitor&& visit)
 {
   const ScatteringScene& scene = shared.Context.Scene;
   const int width = shared.Context.Options.Width;
@@ -30,10 +40,8 @@ double LookAtImage(const LitMinusBlockedScene& shared)
   LitProfiler profiler(shared.Lit);
   LitSums sums(shared.Context.Groups);
   MediumOpticalDepth depth(scene.Medium);
-  BlockedLight blocked(shared.Context);
   LitPixel pixel;
   pixel.Values.resize(shared.Lit.Layout.Size());
-  double shown = 0.0;
   for (int k = 0; k < lookSide * lookSide; ++k)
   {
     pixel.Line = scene.Camera.PixelRay(
@@ -50,15 +58,60 @@ double LookAtImage(const LitMinusBlockedScene& shared)
     depth.SetRay(pixel.Line.Origin, pixel.Line.Direction, pixel.Interval.MediumBegin, pixel.Interval.End);
     sums.Add(pixel, interval.EndOfMarch, depth.IsHomogeneous() ? nullptr : &depth);
     sums.Accumulate();
-    blocked.EstimateFrom(lookSamples, sums, { { interval.Begin, interval.EndOfMarch } },
+    visit(sums, std::vector<RayInterval>{ { interval.Begin, interval.EndOfMarch } },
       HashSeed(shared.Context.Options.Seed, static_cast<std::uint64_t>(k)));
-    for (std::size_t g = 0; g < blocked.Left().size(); ++g)
-    {
-      shown += shared.Context.Groups.MeanScatteredRadiance[g] * blocked.Left()[g];
-    }
   }
+}
+
+/// The image's mean over wavelengths, from few samples of each ray.
+double LookAtImage(const LitMinusBlockedScene& shared)
+{
+  BlockedLight blocked(shared.Context);
+  double shown = 0.0;
+  LookAlongRays(shared,
+    [&](const LitSums& sums, const std::vector<RayInterval>& intervals, std::uint64_t seed)
+    {
+      blocked.EstimateFrom(lookSamples, sums, intervals, seed);
+      for (std::size_t g = 0; g < blocked.Left().size(); ++g)
+      {
+        shown += shared.Context.Groups.MeanScatteredRadiance[g] * blocked.Left()[g];
+      }
+    });
   const double rays = lookSide * lookSide;
   return std::max(shown / rays, shared.TypicalMean / (rays * lookSamples));
+}
+
+/// What samples of a few rays would cost, and what lines would: by counts, so that the answer is always the same.
+bool LinesCostLess(const LitMinusBlockedScene& shared, const LineShadows& shadows)
+{
+  ScatteringOptions options = shared.Context.Options;
+  options.RelativeErrorGoal = options.RelativeErrorGoal > 0.0 ? options.RelativeErrorGoal : usualGoal;
+  const RenderContext context(shared.Context.Scene, options);
+  BlockedLight blocked(context);
+  LinesOfLight lines(context, shadows);
+  double bySamples = 0.0;
+  double byLines = 0.0;
+  LookAlongRays(shared,
+    [&](const LitSums& sums, const std::vector<RayInterval>& intervals, std::uint64_t seed)
+    {
+      if (!lines.Fit(sums.Profile()))
+      {
+        return;
+      }
+      const BlockedLight::Yardstick yardstick{ shared.Darkest, 0.0 };
+      const auto most = static_cast<double>(options.MaximumSamples);
+      blocked.Look(sums, intervals, yardstick, seed);
+      bySamples += blocked.NumberOfSamples() + std::min(blocked.NumberOfWantedSamples(), most);
+      const std::int64_t before = LineShadows::GroupsLookedAt();
+      lines.Look(sums, intervals, yardstick, seed);
+      const double perLine = lines.NumberOfOcclusionRays() > 0
+        ? costOfGroup * LinesOfLight::SamplesOfLine * static_cast<double>(LineShadows::GroupsLookedAt() - before) /
+          static_cast<double>(lines.NumberOfOcclusionRays())
+        : 0.0;
+      byLines += (costOfLine + perLine) * (lines.NumberOfSamples() + std::min(lines.NumberOfWantedSamples(), most)) /
+        LinesOfLight::SamplesOfLine;
+    });
+  return byLines < bySamples;
 }
 } // anonymous namespace
 
@@ -82,6 +135,11 @@ LitMinusBlockedScene::LitMinusBlockedScene(const RenderContext& context)
   if (options.Mode == ScatteringMode::Guided)
   {
     this->Darkest = DarkestFraction * LookAtImage(*this);
+    if (LinesOfLight::Fit(context) && scene.Occluders.Mesh().NumberOfTriangles <= mostTriangles)
+    {
+      auto lines = std::make_unique<LineShadows>(scene.Occluders.Mesh());
+      this->Lines = LinesCostLess(*this, *lines) ? std::move(lines) : nullptr;
+    }
   }
 }
 

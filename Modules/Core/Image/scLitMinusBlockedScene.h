@@ -6,6 +6,7 @@
 #ifndef scLitMinusBlockedScene_h
 #define scLitMinusBlockedScene_h
 
+#include "scLineShadows.h"
 #include "scLitQuadrature.h"
 #include "scRenderContext.h"
 
@@ -33,6 +34,7 @@ struct LitMinusBlockedScene
   double TypicalMean = 0.0;        ///< over wavelengths
   double Darkest = 0.0;            ///< pixels that are darker are sampled as if they had this, mean over wavelengths
   const VisibilityGridSampler* Grid = nullptr; ///< Soft, Volume
+  std::unique_ptr<LineShadows> Lines;          ///< Guided, where whole lines are worth it
 
 private:
   std::unique_ptr<const VisibilityGridSampler> OwnGrid;

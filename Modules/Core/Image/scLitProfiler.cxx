@@ -21,6 +21,14 @@ struct PanelRules
   PanelRules()
     : Rule(nodes)
   {
+    for (std::size_t j = 0; j < nodes; ++j)
+    {
+      this->Inverses[j] = 1.0;
+      for (std::size_t m = 0; m < nodes; ++m)
+      {
+        this->Inverses[j] /= m == j ? 1.0 : this->Rule.Nodes[j] - this->Rule.Nodes[m];
+      }
+    }
     for (int level = 0; level < LitQuadrature::NumberOfPanelLevels; ++level)
     {
       const int count = cells >> level;
@@ -47,8 +55,25 @@ struct PanelRules
     }
   }
 
+  /// The Lagrange polynomials of a panel's nodes at @p x of it.
+  std::array<double, nodes> PolynomialsAt(double x) const
+  {
+    std::array<double, nodes> values;
+    for (int j = 0; j < nodes; ++j)
+    {
+      double value = this->Inverses[static_cast<std::size_t>(j)];
+      for (int m = 0; m < nodes; ++m)
+      {
+        value *= m == j ? 1.0 : x - this->Rule.Nodes[static_cast<std::size_t>(m)];
+      }
+      values[static_cast<std::size_t>(j)] = value;
+    }
+    return values;
+  }
+
   GaussLegendre Rule;
-  GaussLegendre CellRule{ 2 }; ///< of one cell where a density varies
+  std::array<double, nodes> Inverses; ///< of the polynomials' products of differences of nodes
+  GaussLegendre CellRule{ 2 };        ///< of one cell where a density varies
   std::array<std::vector<double>, LitQuadrature::NumberOfPanelLevels> Matrices;
 };
 
@@ -103,7 +128,7 @@ void LitProfiler::Evaluate(const Ray& ray, const LitInterval& interval, const Li
     {
       const double coordinate = perPanel * (panel + rules.Rule.Nodes[j]);
       const double t = variable.DistanceAt(coordinate);
-      this->AddNode(ray, t, perPanel * variable.Flattened(t, coordinate), level,
+      this->AddNode(ray, t, this->OpticalDepth.Along(t), perPanel * variable.Flattened(t, coordinate), level,
         this->Nodes.data() + static_cast<std::size_t>(j * groups));
     }
     for (int g = 0; g < groups; ++g)
@@ -130,6 +155,7 @@ void LitProfiler::IntegrateDensity(
   // counts in full, and where it lies.
   const GaussLegendre& rule = Panels().CellRule;
   const int groups = this->Quadrature.Groups.Count();
+  this->TabulateLight(ray, variable, level);
   this->Nodes.resize(static_cast<std::size_t>(groups));
   for (int k = 0; k < cells; ++k)
   {
@@ -153,7 +179,10 @@ void LitProfiler::IntegrateDensity(
         const double between = 0.5 * (from + to);
         (this->OpticalDepth.Along(between) < wanted ? from : to) = between;
       }
-      this->AddNode(ray, 0.5 * (from + to), 0.5 * depth / std::fabs(variable.CellFactor()), level, this->Nodes.data());
+      const double t = 0.5 * (from + to);
+      const double factor = 0.5 * depth / std::fabs(variable.CellFactor());
+      this->TablePanels > 0 ? this->AddFromTable(ray, variable, t, factor, this->Nodes.data())
+                            : this->AddNode(ray, t, this->OpticalDepth.Along(t), factor, level, this->Nodes.data());
     }
     for (int g = 0; g < groups; ++g)
     {
@@ -162,11 +191,61 @@ void LitProfiler::IntegrateDensity(
   }
 }
 
-void LitProfiler::AddNode(const Ray& ray, double t, double factor, const LitLevel& level, double* value)
+double LitProfiler::Evened(const Vector3& point) const
+{
+  const Vector3 offset = point - this->Quadrature.Center;
+  return IsAtInfinity(this->Quadrature.Lamp) ? 1.0 : Dot(offset, offset);
+}
+
+void LitProfiler::TabulateLight(const Ray& ray, const LitVariable& variable, const LitLevel& level)
+{
+  const int panels = 1 << level.Panels;
+  // As many nodes as cells have between them gain nothing; and no panel reaches across a gap.
+  this->TablePanels = nodes * panels < 2 * cells && !variable.IsGap(cells / 2) ? panels : 0;
+  if (this->TablePanels == 0)
+  {
+    return;
+  }
+  const int groups = this->Quadrature.Groups.Count();
+  const GaussLegendre& rule = Panels().Rule;
+  this->Table.assign(static_cast<std::size_t>(panels * nodes * groups), 0.0);
+  for (int node = 0; node < panels * nodes; ++node)
+  {
+    const double coordinate =
+      static_cast<double>(cells) / panels * (node / nodes + rule.Nodes[static_cast<std::size_t>(node % nodes)]);
+    const double t = variable.DistanceAt(coordinate);
+    this->AddNode(ray, t, 0.0, this->Evened(ray.Origin + t * ray.Direction), level,
+      this->Table.data() + static_cast<std::size_t>(node * groups));
+  }
+}
+
+void LitProfiler::AddFromTable(
+  const Ray& ray, const LitVariable& variable, double t, double factor, double* value) const
+{
+  const double place = variable.CellCoordinate(t) / cells * this->TablePanels;
+  const int panel = std::clamp(static_cast<int>(place), 0, this->TablePanels - 1);
+  const std::array<double, nodes> polynomials = Panels().PolynomialsAt(place - panel);
+  const ExtinctionGroups& groups = this->Quadrature.Groups;
+  const double cameraLeg = this->OpticalDepth.Along(t);
+  const double even = this->Evened(ray.Origin + t * ray.Direction);
+  const double* table = this->Table.data() + static_cast<std::size_t>(panel * nodes * groups.Count());
+  for (int g = 0; g < groups.Count(); ++g)
+  {
+    double sum = 0.0;
+    for (int j = 0; j < nodes; ++j)
+    {
+      sum += polynomials[static_cast<std::size_t>(j)] * table[j * groups.Count() + g];
+    }
+    const double transmittance = TransmittanceOver(groups.SigmaT[static_cast<std::size_t>(g)], cameraLeg);
+    value[g] += even > 0.0 ? factor / even * sum * transmittance : 0.0;
+  }
+}
+
+void LitProfiler::AddNode(
+  const Ray& ray, double t, double cameraLeg, double factor, const LitLevel& level, double* value)
 {
   const LitQuadrature& quadrature = this->Quadrature;
   const Vector3 point = ray.Origin + t * ray.Direction;
-  const double cameraLeg = this->OpticalDepth.Along(t);
   const LightRule& coarse = quadrature.Rules[static_cast<std::size_t>(level.Rule)];
   const int rule = std::min(level.Rule + coarse.LevelsNearer(point), LightRule::NumberOfLevels - 1);
   const LightRule& light = quadrature.Rules[static_cast<std::size_t>(rule)];

@@ -54,14 +54,34 @@ double LitSums::UpTo(const CellCoordinate& at, int group) const
   {
     return x * value;
   }
-  // In the profile's variable the light is nearly linear over a cell, with the slope that its neighbours show.
+  return x * (value + 0.5 * (x - 1.0) * this->SlopeIn(at.Cell, group));
+}
+
+/// In the profile's variable the light is nearly linear over a cell, with the slope that its neighbours show.
+double LitSums::SlopeIn(int at, int group) const
+{
+  const float* cell = this->Pixel->Cells(group);
   const LitVariable& variable = this->Pixel->Variable;
-  const bool before = at.Cell > 0 && !variable.IsGap(at.Cell);
-  const bool after = at.Cell + 1 < cells && !variable.IsGap(at.Cell + 1);
-  double slope = static_cast<double>(cell[at.Cell + (after ? 1 : 0)] - cell[at.Cell - (before ? 1 : 0)]);
-  slope *= before && after ? 0.5 : 1.0;
-  const double steepest = 2.0 * std::fabs(value);
-  return x * (value + 0.5 * (x - 1.0) * std::clamp(slope, -steepest, steepest));
+  const bool before = at > 0 && !variable.IsGap(at);
+  const bool after = at + 1 < cells && !variable.IsGap(at + 1);
+  const double slope = static_cast<double>(cell[at + (after ? 1 : 0)] - cell[at - (before ? 1 : 0)]);
+  const double steepest = 2.0 * std::fabs(static_cast<double>(cell[at]));
+  return std::clamp((before && after ? 0.5 : 1.0) * slope, -steepest, steepest);
+}
+
+double LitSums::RiseAt(const CellCoordinate& at, double t, int group) const
+{
+  const auto value = static_cast<double>(this->Pixel->Cells(group)[at.Cell]);
+  if (this->OpticalDepth)
+  {
+    const double begin = this->Pixel->EdgeAt(at.Cell);
+    const double end = this->Pixel->EdgeAt(at.Cell + 1);
+    const double depth = this->OpticalDepth->Along(end) - this->OpticalDepth->Along(begin);
+    return depth > 0.0 ? value * this->OpticalDepth->DensityAlong(t) / depth : value / (end - begin);
+  }
+  const LitVariable& variable = this->Pixel->Variable;
+  const double perCell = variable.Flattened(t, at.Cell + at.Fraction) * variable.CellFactor();
+  return (value + (at.Fraction - 0.5) * this->SlopeIn(at.Cell, group)) / perCell;
 }
 
 void LitSums::AddBetween(double from, double to, std::vector<double>& sums) const

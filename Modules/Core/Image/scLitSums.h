@@ -40,18 +40,25 @@ public:
   int LastCell() const { return this->LastCoordinate.Cell; }
   double InLastCell(int group) const { return this->UpTo(this->LastCoordinate, group); }
   double End() const { return this->RayEnd; }
-  ///@}
-
-  /// @name The distribution of places
-  ///@{
-  /// What the rest needs.
-  void Accumulate();
   /// A place on the ray: a cell and a fraction of it.
   struct CellCoordinate
   {
     int Cell = 0;
     double Fraction = 0.0;
   };
+  /// Exactly where a distance lies among the cells.
+  CellCoordinate Locate(double t) const;
+  const CellCoordinate& LastPlace() const { return this->LastCoordinate; }
+  /// What a group sends from a cell, up to a fraction of it.
+  double UpTo(const CellCoordinate& at, int group) const;
+  /// By how much that rises with the distance, at @p t, which lies there.
+  double RiseAt(const CellCoordinate& at, double t, int group) const;
+  ///@}
+
+  /// @name The distribution of places
+  ///@{
+  /// What the rest needs.
+  void Accumulate();
   CellCoordinate CellAt(double t) const;
   double DistanceOf(const CellCoordinate& at) const
   {
@@ -75,10 +82,7 @@ public:
   const LitPixel& Profile() const { return *this->Pixel; }
 
 private:
-  /// Exactly where a distance lies among the cells.
-  CellCoordinate Locate(double t) const;
-  /// What a group sends from a cell, up to a fraction of it.
-  double UpTo(const CellCoordinate& at, int group) const;
+  double SlopeIn(int cell, int group) const;
   double SumOfCells(const CellCoordinate& at, int group) const;
 
   const ExtinctionGroups& Extinction;

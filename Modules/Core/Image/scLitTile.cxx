@@ -175,6 +175,20 @@ void LitTile::RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tole
       nearest = distance;
     }
   }
+  this->RaiseLevelFor(ray, interval, level, tolerance);
+  if (this->Quadrature.Air.Density)
+  {
+    // Nor is a density alike everywhere.
+    for (const int corner : { 0, size })
+    {
+      const Ray other = this->RayOf(i0 + corner, j0 + corner);
+      this->RaiseLevelFor(other, this->Quadrature.Intervals.Find(other), level, tolerance);
+    }
+  }
+}
+
+void LitTile::RaiseLevelFor(const Ray& ray, const LitInterval& interval, LitLevel& level, double& tolerance)
+{
   if (interval.Empty())
   {
     return;

@@ -70,6 +70,7 @@ private:
   void Cut(int i, int j, int size, LitLevel level, double tolerance);
   bool Affords(const LitLevel& level) const;
   void RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tolerance);
+  void RaiseLevelFor(const Ray& ray, const LitInterval& interval, LitLevel& level, double& tolerance);
   bool AddLeaf(int i, int j, int size, const LitLevel& level, double tolerance);
   bool AddSheet(Leaf& leaf, int faces);
   void AddPixel(int i, int j, const LitLevel& level, double tolerance);

@@ -43,6 +43,7 @@ public:
   {
     return this->OcclusionRays + (this->Difference ? this->Difference->NumberOfOcclusionRays() : 0);
   }
+  vtkIdType NumberOfShadowLines() const { return this->Difference ? this->Difference->NumberOfShadowLines() : 0; }
   /// Of marched rays: see ScatteringImage.
   vtkIdType NumberOfThickRays() const { return this->ThickRays; }
   double MarchOpticalDepth() const { return this->ThickestStep; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scRenderScattering.h"
 
+#include "scDensityGrid.h"
 #include "scMediumTerm.h"
 #include "scPrimaryHits.h"
 #include "scRenderContext.h"
@@ -36,6 +37,7 @@ void Allocate(const std::array<int, 4>& extent, std::size_t wavelengths, Scatter
   image.SampleCount.assign(pixels, 0);
   image.SurfaceRelativeError.assign(pixels, 0.0f);
   image.NumberOfOcclusionRays = 0;
+  image.NumberOfShadowLines = 0;
   image.NumberOfThickRays = 0;
   image.MarchOpticalDepth = 0.0;
   image.NumberOfShortPixels = 0;
@@ -51,6 +53,31 @@ std::vector<VisibleLight> VisibleLights(const std::vector<ScatteringScene>& scen
     lights.emplace_back(scenes[k].Light);
   }
   return lights;
+}
+
+/// A medium whose density is the same all over its bounds is a homogeneous one: @p media keeps these.
+std::vector<ScatteringScene> WithPlainMedia(const std::vector<ScatteringScene>& scenes, std::vector<Medium>& media)
+{
+  std::vector<ScatteringScene> plain;
+  media.reserve(scenes.size()); // scenes refer to its items
+  for (const ScatteringScene& scene : scenes)
+  {
+    double density = 0.0;
+    if (!scene.Medium.Density || !IsConstantIn(*scene.Medium.Density, scene.Medium.Bounds, density))
+    {
+      plain.push_back(scene);
+      continue;
+    }
+    media.push_back(scene.Medium);
+    Medium& medium = media.back();
+    medium.Density = nullptr;
+    for (std::vector<double>* sigmas : { &medium.SigmaS, &medium.SigmaA })
+    {
+      std::for_each(sigmas->begin(), sigmas->end(), [density](double& sigma) { sigma *= density; });
+    }
+    plain.push_back({ scene.Occluders, scene.Light, medium, scene.Camera, scene.Cones, scene.Visibility });
+  }
+  return plain;
 }
 
 /// Adds up the medium terms of lights.
@@ -73,6 +100,7 @@ public:
       this->Samples[pixel] += term.SampleCount[pixel];
     }
     this->OcclusionRays += term.NumberOfOcclusionRays;
+    this->ShadowLines += term.NumberOfShadowLines;
     this->ThickRays += term.NumberOfThickRays;
     this->OpticalDepth = std::max(this->OpticalDepth, term.MarchOpticalDepth);
   }
@@ -95,6 +123,7 @@ public:
       image.MediumError[pixel] = error == HUGE_VAL ? -1.0f : static_cast<float>(error);
     }
     image.NumberOfOcclusionRays += this->OcclusionRays;
+    image.NumberOfShadowLines += this->ShadowLines;
     image.NumberOfThickRays += this->ThickRays;
     image.MarchOpticalDepth = std::max(image.MarchOpticalDepth, this->OpticalDepth);
   }
@@ -104,6 +133,7 @@ private:
   std::vector<double> Errors; ///< of means over wavelengths; HUGE_VAL: not known
   std::vector<int> Samples;
   vtkIdType OcclusionRays = 0;
+  vtkIdType ShadowLines = 0;
   vtkIdType ThickRays = 0; ///< summed over lights
   double OpticalDepth = 0.0;
 };
@@ -114,13 +144,13 @@ class ImageRenderer
 public:
   /// Everything is referred to and must outlive the renderer.
   ImageRenderer(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options)
-    : Scenes(scenes)
+    : Scenes(WithPlainMedia(scenes, Media))
     , Options(options)
-    , Visible(VisibleLights(scenes, options))
-    , Shading(scenes, options, Visible)
-    , Lit(scenes.size())
+    , Visible(VisibleLights(Scenes, options))
+    , Shading(Scenes, options, Visible)
+    , Lit(Scenes.size())
   {
-    for (const ScatteringScene& scene : scenes)
+    for (const ScatteringScene& scene : this->Scenes)
     {
       this->Contexts.push_back(std::make_unique<RenderContext>(scene, options));
     }
@@ -150,7 +180,8 @@ private:
   bool RenderMedia(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
   bool Shade(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
 
-  const std::vector<ScatteringScene>& Scenes;
+  std::vector<Medium> Media; ///< those that were made plain
+  const std::vector<ScatteringScene> Scenes;
   const ScatteringOptions& Options;
   const std::vector<VisibleLight> Visible;
   const ShadingScene Shading;
@@ -193,6 +224,7 @@ bool ImageRenderer::RenderMedium(
   for (const auto& term : terms)
   {
     image.NumberOfOcclusionRays += term->NumberOfOcclusionRays();
+    image.NumberOfShadowLines += term->NumberOfShadowLines();
     image.NumberOfThickRays += term->NumberOfThickRays();
     image.MarchOpticalDepth = std::max(image.MarchOpticalDepth, term->MarchOpticalDepth());
   }

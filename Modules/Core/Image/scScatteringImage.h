@@ -34,6 +34,8 @@ struct ScatteringImage
   std::vector<int> SampleCount;       ///< light samples taken for the medium term
   std::vector<float> SurfaceRelativeError; ///< one standard error of SurfaceRadiance over its value; -1: not known
   vtkIdType NumberOfOcclusionRays = 0; ///< rays towards the light, medium and surfaces together
+  /// Guided: whole lines whose shadow was found at once; 0: rays were cheaper. Each counts as 16 samples and rays.
+  vtkIdType NumberOfShadowLines = 0;
   /// BruteForce, Medium and Fast: rays that optically thick steps may make too bright by more than half a per cent, and
   /// the largest optical depth of such a step.
   vtkIdType NumberOfThickRays = 0;

@@ -12,6 +12,9 @@ namespace
 constexpr double twoPi = 6.28318530717958647692;
 constexpr int ringsOfLevel[LightRule::NumberOfLevels] = { 2, 3, 5, 8, 16 }; // see LargestNumberOfRings
 constexpr int sideOfLevel[LightRule::NumberOfLevels] = { 4, 6, 10, 16, 32 };
+/// Radians of a Sun that takes fewer.
+constexpr double narrow = 0.02;
+constexpr int narrowRingsOfLevel[LightRule::NumberOfLevels] = { 1, 2, 3, 5, 8 };
 /// Point lights are taken one by one up to so many.
 constexpr std::size_t largestNumberOfVertices = 1024;
 
@@ -38,8 +41,12 @@ LightRule::LightRule(const Light& light, int level)
       this->AddRectangle(sideOfLevel[level]);
       break;
     case LightShape::Sphere:
-    case LightShape::Sun:
       this->AddCone(light.Radius > 0.0 ? rings : 0);
+      break;
+    case LightShape::Sun:
+      // Over a narrow cone everything is all but linear.
+      this->AddCone(light.Radius <= 0.0 ? 0 : light.Radius < narrow ? narrowRingsOfLevel[level] : rings);
+      this->AddParallel();
       break;
     case LightShape::Point:
       this->AddVertices(1, level);
@@ -142,6 +149,16 @@ void LightRule::AddCone(int rings)
       const auto uv = InvertLightArea(disc, radius * (std::cos(angle) * frame.U + std::sin(angle) * frame.V));
       this->Nodes.push_back({ uv[0], uv[1], rule.Weights[ring] / spokes });
     }
+  }
+}
+
+void LightRule::AddParallel()
+{
+  for (const Node& node : this->Nodes)
+  {
+    IncidentSample sample = SampleIncidentLight(this->Lamp, {}, node.U, node.V, LightSampling::SolidAngle);
+    sample.Weight *= node.Weight;
+    this->Parallel.push_back(sample);
   }
 }
 

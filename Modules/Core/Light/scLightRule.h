@@ -110,6 +110,11 @@ public:
   template <typename Visitor>
   void ForEach(const Vector3& from, Visitor&& visit) const
   {
+    if (!this->Parallel.empty())
+    {
+      std::for_each(this->Parallel.begin(), this->Parallel.end(), visit);
+      return;
+    }
     if (this->IsByArea(from))
     {
       thread_local std::vector<IncidentSample> near;
@@ -232,6 +237,7 @@ private:
   void AddDisc(int rings);
   void AddRectangle(int side);
   void AddCone(int rings);
+  void AddParallel();
   void AddVertices(std::size_t vertices, int level);
   void AddOffsets();
   void SetNear(double radius);
@@ -241,6 +247,7 @@ private:
   std::optional<MeshLightRule> Mesh;
   std::vector<float> Offsets; ///< of Points from the centre, their normals and areas, component by component
   std::vector<Node> Nodes;    ///< the others
+  std::vector<IncidentSample> Parallel; ///< Sun: the nodes, which are the same from everywhere
   GaussLegendre Lines{ 1 };   ///< of a near disc's rings, or rectangle's lines
   bool HasNear = false;       ///< a disc or rectangle
   Vector3 Middle;             ///< of Points

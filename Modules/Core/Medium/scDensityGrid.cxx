@@ -156,6 +156,22 @@ double DensityGrid::Integrate(const Vector3& origin, const Vector3& direction, d
   return sum;
 }
 
+bool IsConstantIn(const DensityGrid& grid, const Box& box, double& value)
+{
+  const float first = grid.Values.front();
+  value = static_cast<double>(first);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vector3 point{ (corner & 1 ? box.Max : box.Min).X, (corner & 2 ? box.Max : box.Min).Y,
+      (corner & 4 ? box.Max : box.Min).Z };
+    if (!grid.Support.Contains(grid.IndexPoint(point)))
+    {
+      return false;
+    }
+  }
+  return std::all_of(grid.Values.begin(), grid.Values.end(), [first](float v) { return v == first; });
+}
+
 const char* PrepareDensityGrid(DensityGrid& grid)
 {
   std::size_t size = 1;

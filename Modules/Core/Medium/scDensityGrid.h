@@ -59,6 +59,9 @@ struct DensityGrid
 /// Check a grid and fill what is computed once. @return nullptr, or a sentence that says what is wrong.
 SHADOWCONESCORE_EXPORT const char* PrepareDensityGrid(DensityGrid& grid);
 
+/// Has a prepared grid one value all over the box?
+SHADOWCONESCORE_EXPORT bool IsConstantIn(const DensityGrid& grid, const Box& box, double& value);
+
 inline double DensityGrid::ValueAt(const Vector3& index) const
 {
   std::size_t first = 0;

@@ -66,6 +66,9 @@ public:
     return this->Density ? (b > a ? (this->LookUp(b) - this->LookUp(a)) / (b - a) : 0.0) : 1.0;
   }
 
+  /// The slope of Along(), which is the density between the entries of the ray's table; 1 in a homogeneous medium.
+  double DensityAlong(double t) const { return this->Density ? this->LookUpDensity(t) : 1.0; }
+
   /// From a point inside the bounds up to @p distance, which may be infinite: the part inside the bounds.
   double Towards(const Vector3& point, const Vector3& direction, double distance) const
   {
@@ -104,6 +107,19 @@ private:
     const Entry& a = this->Table[k];
     const Entry& b = this->Table[k + 1];
     return a.OpticalDepth + u / this->StepsPerLength * (a.Density + 0.5 * u * (b.Density - a.Density));
+  }
+
+  double LookUpDensity(double t) const
+  {
+    const std::size_t last = this->Table.size() - 1;
+    const double step = (t - this->TableBegin) * this->StepsPerLength;
+    if (last == 0 || step < 0.0 || !(step < static_cast<double>(last)))
+    {
+      return 0.0;
+    }
+    const auto k = static_cast<std::size_t>(step);
+    return this->Table[k].Density +
+      (step - static_cast<double>(k)) * (this->Table[k + 1].Density - this->Table[k].Density);
   }
 
   struct Entry
