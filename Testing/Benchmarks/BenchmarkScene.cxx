@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchmarkScene.h"
 
+#include "DarkScenes.h"
 #include "scConeData.h"
 #include "scLightData.h"
 #include "scMeshData.h"
@@ -62,7 +63,7 @@ vtkSmartPointer<vtkPolyData> Read(const std::string& file)
   if (!mesh || mesh->GetNumberOfPolys() == 0)
   {
     throw std::runtime_error(
-      "No polygons in '" + file + "': give chair, tree, blob, or a .vtp, .obj, .ply or .stl file.");
+      "No polygons in '" + file + "': give chair, tree, blob, blinds, canopy, holes, colonnade, or a .vtp, .obj, .ply or .stl file.");
   }
   return mesh;
 }
@@ -203,9 +204,11 @@ ConesOfScene MakeCones(const VectorsOfScene& vectors, const ConeParameters& para
 //------------------------------------------------------------------------------
 BenchmarkScene::BenchmarkScene(const std::string& nameOrFile, const RoomLamp& lamp)
 {
-  const bool named = nameOrFile == "chair" || nameOrFile == "tree" || nameOrFile == "blob";
-  vtkSmartPointer<vtkPolyData> mesh =
-    named ? Read(SHADOWCONES_DATA_DIR "/" + nameOrFile + ".vtp") : StandInRoom(Read(nameOrFile));
+  const bool dark = IsDarkScene(nameOrFile);
+  const DarkScene own = dark ? MakeDarkScene(nameOrFile) : DarkScene();
+  const bool named = dark || nameOrFile == "chair" || nameOrFile == "tree" || nameOrFile == "blob";
+  vtkSmartPointer<vtkPolyData> mesh = dark ? own.Mesh
+    : named                                ? Read(SHADOWCONES_DATA_DIR "/" + nameOrFile + ".vtp") : StandInRoom(Read(nameOrFile));
   this->Name = named ? nameOrFile : nameOrFile.substr(nameOrFile.find_last_of('/') + 1);
   vtkNew<vtkLabelOccluders> label;
   label->SetInputData(mesh);
@@ -219,7 +222,7 @@ BenchmarkScene::BenchmarkScene(const std::string& nameOrFile, const RoomLamp& la
   light->SetRadius(lamp.Radius);
   light->SetRadiance(1.0);
   light->Update();
-  this->LightData = light->GetOutput();
+  this->LightData = dark ? own.Light.Get() : light->GetOutput();
 
   std::string error;
   if (!ReadLight(this->LightData, this->Light, error) || !ReadTriangles(this->Occluders, this->Mesh, error))
@@ -227,6 +230,16 @@ BenchmarkScene::BenchmarkScene(const std::string& nameOrFile, const RoomLamp& la
     throw std::runtime_error(error);
   }
   this->Fast = std::make_unique<OccluderScene>(this->Mesh.View());
+  if (dark)
+  {
+    this->Medium = own.Medium;
+    this->Medium.SigmaS.resize(this->Light.Spectrum.size(), own.Medium.SigmaS.front());
+    this->Medium.SigmaA.resize(this->Light.Spectrum.size(), own.Medium.SigmaA.front());
+    this->Camera = own.Camera;
+    this->Room = this->Mesh;
+    this->Reflectance.assign(this->Room.Triangles.size() / 3 * this->Light.Spectrum.size(), 0.5f);
+    return;
+  }
   this->Medium = testsupport::RoomMedium(this->Light.Spectrum.size());
   this->Camera = testsupport::RoomCamera();
   this->AddWalls();

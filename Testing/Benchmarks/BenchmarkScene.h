@@ -83,7 +83,8 @@ class BenchmarkScene
 {
 public:
   /**
-   * "chair", "tree" or "blob", or a file (.vtp, .obj, .ply, .stl), which is scaled to a height of 3 and stood on the floor.
+   * "chair", "tree" or "blob", or a file (.vtp, .obj, .ply, .stl), which is scaled to a height of 3 and stood on the floor;
+   * or one of DarkScenes.h, with a light, a medium and a camera of its own and no other walls.
    * Throws std::runtime_error where there is no such mesh.
    */
   explicit BenchmarkScene(const std::string& nameOrFile, const RoomLamp& lamp = {});
@@ -96,9 +97,9 @@ public:
   shadowcones::Light Light;
   TriangleMesh Mesh;
   std::unique_ptr<OccluderScene> Fast; ///< of the mesh alone
-  TriangleMesh Room;                   ///< the mesh and the walls of Data/cornell-box.vtp, which have OccluderId -1
+  TriangleMesh Room;                   ///< with the walls of Data/cornell-box.vtp, which have OccluderId -1
   std::vector<float> Reflectance;      ///< of the room: one a triangle and wavelength
-  shadowcones::Medium Medium;          ///< isotropic, in RoomBounds()
+  shadowcones::Medium Medium;          ///< isotropic, in RoomBounds(), but for dark scenes
   shadowcones::Camera Camera;
 
   /// Runs vtkShadowVectorFilter; vectors depend on Vectors, Storage and Seed only.

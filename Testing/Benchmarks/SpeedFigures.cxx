@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpeedFigures.h"
 
+#include "DarkScenes.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
@@ -22,6 +24,10 @@ struct Bounds
 
 Bounds BoundsOf(const std::string& scene)
 {
+  if (IsDarkScene(scene))
+  {
+    return { 0.0, 0.0, 0.0, 0.0, 0.0, scene == "canopy" ? 0.007 : 0.01 };
+  }
   if (scene == "tree")
   {
     return { 10.0, 50.0, 50.0, 1.2, 20.0, 0.014 };
@@ -33,6 +39,26 @@ TimeAtError Plus(TimeAtError time, double seconds)
 {
   time.Seconds += time.IsKnown() ? seconds : 0.0;
   return time;
+}
+
+/// Where most is dark: without cones, against the march with the best of its knobs.
+std::vector<Comparison> CompareInTheDark(const SpeedFigures& figures, Clock clock)
+{
+  const double occluders = figures.StageSeconds("occluders", clock);
+  std::vector<Comparison> list;
+  const bool canopy = figures.Scene == "canopy";
+  for (const double error : { canopy ? 0.015 : 0.025, canopy ? 0.007 : 0.01 })
+  {
+    Comparison c;
+    c.Name = "first image without cones, against the best of (a)";
+    c.Error = std::max(error, figures.SmallestError);
+    c.Ours = "Stratified";
+    c.Time = Plus(TimeAt(figures.Curve("Stratified", clock), c.Error), occluders);
+    c.Baseline = Plus(TimeAt(figures.Curve("BruteForce", clock), c.Error), occluders);
+    c.Wanted = 1.0;
+    list.push_back(c);
+  }
+  return list;
 }
 
 /// The shorter of two times; @p name receives what it is the time of.
@@ -116,6 +142,10 @@ std::vector<Comparison> CompareAtEqualError(const SpeedFigures& figures, Clock c
   };
 
   std::vector<Comparison> list;
+  if (IsDarkScene(figures.Scene))
+  {
+    list = CompareInTheDark(figures, clock);
+  }
   Comparison c;
   const double atDefault = std::max(march.Error.Rms, figures.SmallestError);
   c.Error = atDefault;

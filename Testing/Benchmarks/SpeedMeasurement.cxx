@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpeedMeasurement.h"
 
+#include "DarkScenes.h"
 #include "PlainMarch.h"
 
 #include "vtkSMPTools.h"
@@ -12,6 +13,7 @@
 #include <functional>
 #include <list>
 #include <memory>
+#include <utility>
 
 namespace shadowcones
 {
@@ -124,15 +126,31 @@ private:
   void AddMarches()
   {
     const ScatteringOptions options = this->Scene.Options(ScatteringMode::BruteForce, this->Setting.Size);
-    const int knobs[5][2] = { { 8, 4 }, { 16, 4 }, { 16, 8 }, { 32, 8 },
-      { options.NumberOfSteps, options.NumberOfLightSamples } };
-    for (int k = 0; k < 5; ++k)
+    const std::pair<int, int> usual{ options.NumberOfSteps, options.NumberOfLightSamples };
+    std::vector<std::pair<int, int>> knobs = { { 8, 4 }, { 16, 4 }, { 16, 8 }, { 32, 8 }, usual };
+    if (IsDarkScene(this->Scene.Name))
+    {
+      // Which knobs are best there nobody knows beforehand: all that take no more than a few seconds.
+      knobs = { usual };
+      for (int steps = 8; steps <= 512; steps *= 2)
+      {
+        for (int points = 1; points <= 32 && steps * points <= 4096; points *= 2)
+        {
+          if (usual != std::pair<int, int>{ steps, points })
+          {
+            knobs.emplace_back(steps, points);
+          }
+        }
+      }
+    }
+    for (const auto& [steps, points] : knobs)
     {
       ScatteringOptions changed = options;
-      changed.NumberOfSteps = knobs[k][0];
-      changed.NumberOfLightSamples = knobs[k][1];
+      changed.NumberOfSteps = steps;
+      changed.NumberOfLightSamples = points;
       this->AddFrameJob(this->AddFrame("BruteForce",
-        std::to_string(knobs[k][0]) + " steps, " + std::to_string(knobs[k][1]) + " light points", k == 4, changed));
+        std::to_string(steps) + " steps, " + std::to_string(points) + " light points",
+        usual == std::pair<int, int>{ steps, points }, changed));
     }
   }
 
@@ -196,8 +214,8 @@ private:
     this->AddGrid(65, 16, 1, false);
     this->AddGrid(65, 16, 4, false);
 
-    this->Nothing.Origin = RoomBounds().Min;
-    this->Nothing.Spacing = (1.0 / 64.0) * RoomBounds().Size();
+    this->Nothing.Origin = this->Scene.Medium.Bounds.Min;
+    this->Nothing.Spacing = (1.0 / 64.0) * this->Scene.Medium.Bounds.Size();
     this->Nothing.Dimensions = { 65, 65, 65 };
     this->Nothing.Visibility.assign(65 * 65 * 65, 1.0f);
     this->Nothing.ShadowClasses.assign(65 * 65 * 65, 0);

@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <ctime>
+#include <unistd.h>
 
 namespace shadowcones
 {
@@ -40,19 +41,30 @@ void TimedJobs::RunOnce(Entry& entry)
 //------------------------------------------------------------------------------
 void TimedJobs::Run(int repeats, double enough)
 {
+  const bool terminal = isatty(STDERR_FILENO) != 0; // a log gets plain lines
   for (int repeat = 0; repeat < repeats; ++repeat)
   {
+    if (!terminal)
+    {
+      std::fprintf(stderr, "%d of %d: %d jobs\n", repeat + 1, repeats, static_cast<int>(this->Entries.size()));
+    }
     for (std::size_t k = 0; k < this->Entries.size(); ++k)
     {
       Entry& entry = this->Entries[repeat % 2 == 0 ? k : this->Entries.size() - 1 - k];
       if (repeat < 2 || entry.Sum < enough)
       {
-        std::fprintf(stderr, "\r%d of %d: %-60s", repeat + 1, repeats, entry.Name.c_str());
+        if (terminal)
+        {
+          std::fprintf(stderr, "\r%d of %d: %-60s", repeat + 1, repeats, entry.Name.c_str());
+        }
         RunOnce(entry);
       }
     }
   }
-  std::fprintf(stderr, "\r%-72s\r", "");
+  if (terminal)
+  {
+    std::fprintf(stderr, "\r%-72s\r", "");
+  }
 }
 
 //------------------------------------------------------------------------------

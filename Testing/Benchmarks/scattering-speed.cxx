@@ -5,6 +5,7 @@
 // Guided without cones, the strongest brute force. Only the medium term counts; surfaces are black. The error is the
 // root of the mean square over pixels, over the mean, against Testing/Reference at random pixels, the reference's own
 // noise taken off. Each mode is run over its knobs, and its time at an error is read off its own curve.
+#include "DarkScenes.h"
 #include "GrowthSweep.h"
 #include "SpeedMeasurement.h"
 #include "SpeedReport.h"
@@ -30,6 +31,7 @@ std::vector<std::string> DefaultScenes()
   {
     scenes.push_back(bunny);
   }
+  scenes.insert(scenes.end(), DarkSceneNames().begin(), DarkSceneNames().end());
   return scenes;
 }
 
@@ -68,7 +70,7 @@ int main(int argc, char* argv[])
   std::vector<double> center = { setting.Light.Center.X, setting.Light.Center.Y, setting.Light.Center.Z };
   std::string jsonFile;
   bool sweep = false;
-  app.add_option("--scene", scenes, "chair, tree, blob, or mesh files, which are scaled to a height of 3 units")
+  app.add_option("--scene", scenes, "chair, tree, blob, blinds, canopy, holes, colonnade, or mesh files, which are scaled to a height of 3 units")
     ->capture_default_str();
   app.add_option("--light-radius", setting.Light.Radius, "radius of the disc light that faces down")
     ->check(CLI::PositiveNumber)
