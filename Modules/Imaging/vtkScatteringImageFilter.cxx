@@ -270,7 +270,7 @@ bool vtkScatteringImageFilter::ShowCoarse(ImageScene& scene, const Monitor& moni
     WritePixels(image, picture->GetPointData());
     const std::vector<double>& wavelengths = scene.Lights.Wavelengths;
     const double exposure = this->AutoExposure ? FindExposure(picture, wavelengths) : this->Exposure;
-    WriteRgb(picture, wavelengths, exposure, picture);
+    WriteRgb(picture, wavelengths, exposure, static_cast<shadowcones::ToneCurve>(this->ToneCurve), picture);
     this->Picture = picture;
     this->InvokeEvent(vtkCommand::UpdateDataEvent);
   }

@@ -27,6 +27,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <memory>
 
 namespace
 {
@@ -186,6 +187,7 @@ std::string MakeTable(vtkDataObject* data, bool cells)
   writer->SetUseStringDelimiter(false);
   writer->WriteToOutputStringOn();
   writer->Write();
-  return writer->GetOutputString();
+  const std::unique_ptr<char[]> text(writer->RegisterAndGetOutputString());
+  return text ? text.get() : "";
 }
 } // namespace shadowcones
