@@ -3,6 +3,7 @@
 #include "scCommandLine.h"
 #include "scOutputFile.h"
 #include "scScene.h"
+#include "scTerminal.h"
 #include "scUpdate.h"
 #include "vtkCamera.h"
 #include "vtkConeSetAccuracy.h"
@@ -17,7 +18,6 @@
 #include "vtkSceneDefaults.h"
 #include "vtkShadowVectorFilter.h"
 #include "vtkTable.h"
-#include "vtkTimerLog.h"
 #include "vtkVariant.h"
 
 #include <CLI/CLI.hpp>
@@ -104,9 +104,9 @@ void RunAccuracy(const ChainOptions& options)
 /// Seconds of one update.
 double Seconds(vtkAlgorithm* filter, const std::string& step, bool quiet)
 {
-  const double start = vtkTimerLog::GetUniversalTime();
+  const double start = Now();
   Update(filter, step, quiet);
-  return vtkTimerLog::GetUniversalTime() - start;
+  return Now() - start;
 }
 
 void RunBench(const ChainOptions& options)

@@ -4,8 +4,6 @@
 #include "scFailure.h"
 #include "scScene.h"
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
-#include "vtkDelimitedTextReader.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLabelOccluders.h"
@@ -16,11 +14,12 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkSceneDefaults.h"
-#include "vtkTable.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 namespace
 {
@@ -65,30 +64,56 @@ vtkSmartPointer<vtkDataSet> MakePoints(vtkPoints* points, const std::vector<doub
   return data;
 }
 
-/// The rows of a table with columns x, y, z; without a head the first three.
+/// The parts of a line between commas, without blanks and quotation marks around them.
+std::vector<std::string> PartsOf(const std::string& line)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(line);
+  for (std::string part; std::getline(stream, part, ',');)
+  {
+    const std::size_t first = part.find_first_not_of(" \t\r\"");
+    const std::size_t last = part.find_last_not_of(" \t\r\"");
+    parts.push_back(first == std::string::npos ? "" : part.substr(first, last - first + 1));
+  }
+  return parts;
+}
+
+/// The rows of a table with columns x, y, z.
 void ReadTable(const std::string& path, vtkPoints* points)
 {
-  vtkNew<vtkDelimitedTextReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->SetHaveHeaders(true);
-  reader->DetectNumericColumnsOn();
-  reader->ForceDoubleOn();
-  reader->Update();
-  vtkTable* table = reader->GetOutput();
-  vtkDataArray* columns[3];
-  static const char* const names[] = { "x", "y", "z" };
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string> names = PartsOf(line);
+  std::size_t columns[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    columns[axis] = vtkDataArray::SafeDownCast(table->GetColumnByName(names[axis]));
-    if (!columns[axis])
+    const std::string name(1, static_cast<char>('x' + axis));
+    columns[axis] = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    if (columns[axis] == names.size())
     {
-      throw Failure(path + ": expected a table with numbers in columns named x, y and z; the first line has the names");
+      throw Failure(path + ": expected columns named x, y and z in the first line; there is none named " + name);
     }
   }
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  for (int row = 2; std::getline(file, line); ++row)
   {
-    points->InsertNextPoint(
-      columns[0]->GetComponent(row, 0), columns[1]->GetComponent(row, 0), columns[2]->GetComponent(row, 0));
+    const std::vector<std::string> parts = PartsOf(line);
+    double point[3];
+    for (int axis = 0; axis < 3 && !parts.empty(); ++axis)
+    {
+      char* end = nullptr;
+      const std::string text = columns[axis] < parts.size() ? parts[columns[axis]] : "";
+      point[axis] = std::strtod(text.c_str(), &end);
+      if (text.empty() || *end != '\0' || !std::isfinite(point[axis]))
+      {
+        throw Failure(path + ": line " + std::to_string(row) + ": expected a number in column " + names[columns[axis]] +
+          ", found '" + text + "'");
+      }
+    }
+    if (!parts.empty())
+    {
+      points->InsertNextPoint(point);
+    }
   }
 }
 

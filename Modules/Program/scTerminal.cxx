@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scTerminal.h"
 
-#include "vtkTimerLog.h"
-
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <unistd.h>
@@ -21,6 +20,11 @@ void TakeNote(int signal)
 
 namespace shadowcones
 {
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 void WatchInterrupt()
 {
   std::signal(SIGINT, TakeNote);
@@ -36,7 +40,7 @@ ProgressBar::ProgressBar(const std::string& step, bool quiet)
   : Step(step)
   , Quiet(quiet)
   , Terminal(isatty(STDERR_FILENO) != 0)
-  , Start(vtkTimerLog::GetUniversalTime())
+  , Start(Now())
 {
   if (!this->Quiet && !this->Terminal)
   {
@@ -72,7 +76,7 @@ void ProgressBar::Finish()
 {
   if (!this->Quiet && !this->Terminal)
   {
-    std::fprintf(stderr, "%s: %.2f s\n", this->Step.c_str(), vtkTimerLog::GetUniversalTime() - this->Start);
+    std::fprintf(stderr, "%s: %.2f s\n", this->Step.c_str(), Now() - this->Start);
   }
 }
 } // namespace shadowcones

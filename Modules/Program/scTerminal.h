@@ -10,6 +10,9 @@
 
 namespace shadowcones
 {
+/// Seconds of a clock that never goes back.
+double Now();
+
 /// Take note of Ctrl-C from here on; a second one ends the program at once.
 void WatchInterrupt();
 /// Whether Ctrl-C came.

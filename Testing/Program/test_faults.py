@@ -20,6 +20,9 @@ class FaultTest(ProgramTest):
         self.write("cube.obj", box((-1, -1, 2), (1, 1, 4)))
         self.write("empty.obj", "# nothing\n")
         self.write("garbage.stl", "\x01\x02 this is no mesh")
+        self.write("bad.csv", "x,y,z\n1,2,3\n1,2,low\n")
+        self.write("headless.csv", "1,2,3\n")
+        self.files = sorted(os.listdir(self.folder))
 
     def test_table(self):
         """Each line: words, exit code, what the message has to say."""
@@ -41,6 +44,8 @@ class FaultTest(ProgramTest):
             (["probe", "cube.obj", *LAMP, "--at", "0,0,0", "--grid", "2,2,2"], 2, "--grid"),
             (["probe", "cube.obj", *LAMP, "--grid", "2,2,2", "-o", "a.vtp"], 2, "vti"),
             (["probe", "cube.obj", *LAMP, "--where", "none.csv"], 2, "none.csv"),
+            (["probe", "cube.obj", *LAMP, "--where", "bad.csv"], 1, "line 3: expected a number in column z, found 'low'"),
+            (["probe", "cube.obj", *LAMP, "--where", "headless.csv"], 1, "columns named x, y and z"),
             (["irradiance", "cube.obj", *LAMP, "--at", "0,0,0"], 2, "--facing"),
             (["probe", "cube.obj", *LAMP, "--unit", "mile", "--at", "0,0,0"], 2, "mm, cm, m"),
             (["solids", "cube.obj", *LAMP, "--method", "projection", "-o", "a.stl"], 1, "vtkShadowVolume"),
@@ -53,7 +58,7 @@ class FaultTest(ProgramTest):
                 code, out, error = self.run_program(*words)
                 self.assertEqual(code, wanted, out + error)
                 self.assertIn(message, error)
-                self.assertEqual(sorted(os.listdir(self.folder)), ["cube.obj", "empty.obj", "garbage.stl"])
+                self.assertEqual(sorted(os.listdir(self.folder)), self.files)
 
     def test_full_disk(self):
         """Standard output that takes nothing is an error."""
@@ -85,7 +90,7 @@ class FaultTest(ProgramTest):
             self.assertLess(time.monotonic() - start, 10.0)
             with open(self.path("a.png"), encoding="utf-8") as file:
                 self.assertEqual(file.read(), "old")
-            self.assertEqual(sorted(os.listdir(self.folder)), ["a.png", "cube.obj", "empty.obj", "garbage.stl"])
+            self.assertEqual(sorted(os.listdir(self.folder)), sorted([*self.files, "a.png"]))
 
     def test_progress(self):
         """Without a terminal: lines, no bar."""
