@@ -327,5 +327,6 @@ void vtkConeSetProbe::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseNormals: " << (this->UseNormals ? "on" : "off") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";
+  os << indent << "PreparedScene: " << this->GetPreparedScene() << "\n";
   os << indent << "PreparedMemory: " << this->GetPreparedMemory() << "\n";
 }

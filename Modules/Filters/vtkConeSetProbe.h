@@ -197,7 +197,8 @@ public:
   vtkObject* GetPreparedScene();
   vtkIdType GetNumberOfPreparations();     ///< How many of these this probe has built.
   vtkTypeInt64 GetPreparedMemory();        ///< Bytes of mesh and search tree.
-  void SetPreparedScene(vtkObject* scene); ///< Take mesh and search tree from there.
+  /// Take mesh and search tree from there. Default: a scene of its own.
+  void SetPreparedScene(vtkObject* scene);
   void ReleasePreparedScene();             ///< Free them: the next run builds them again.
   ///@}
 

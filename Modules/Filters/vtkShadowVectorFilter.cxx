@@ -203,5 +203,6 @@ void vtkShadowVectorFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Storage: " << (this->Storage == BackSide ? "BackSide" : "HitPoint") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";
+  os << indent << "PreparedScene: " << this->GetPreparedScene() << "\n";
   os << indent << "PreparedMemory: " << this->GetPreparedMemory() << "\n";
 }

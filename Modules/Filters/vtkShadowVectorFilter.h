@@ -136,7 +136,8 @@ public:
   /// vtkScatteringImageFilter.
   vtkObject* GetPreparedScene();
   vtkTypeInt64 GetPreparedMemory();        ///< Bytes that the scene takes.
-  void SetPreparedScene(vtkObject* scene); ///< Send photons at the mesh of another filter's scene.
+  /// Send photons at the mesh of another filter's scene. Default: a scene of its own.
+  void SetPreparedScene(vtkObject* scene);
   vtkIdType GetNumberOfPreparations();     ///< Meshes and trees that were built here.
   void ReleasePreparedScene();             ///< Keep nothing until the next run.
   ///@}

@@ -412,5 +412,6 @@ void vtkScatteringImageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfRaysSent: " << this->NumberOfRaysSent << "\n";
   os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";
+  os << indent << "PreparedScene: " << this->GetPreparedScene() << "\n";
   os << indent << "PreparedMemory: " << this->GetPreparedMemory() << "\n";
 }

@@ -511,7 +511,8 @@ public:
    * need once. Results do not depend on it. nullptr: a scene of its own again.
    */
   vtkObject* GetPreparedScene();
-  void SetPreparedScene(vtkObject* scene); ///< Keep what is costly to build together with another filter.
+  /// Keep what is costly to build together with another filter. Default: a scene of its own.
+  void SetPreparedScene(vtkObject* scene);
   void ReleasePreparedScene(); ///< Free the memory; what is needed is built again.
   vtkTypeInt64 GetPreparedMemory(); ///< Bytes that the prepared scene takes.
   /// How often this filter has built any of it: it does not grow where an update finds all that it needs.

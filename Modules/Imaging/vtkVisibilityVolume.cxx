@@ -376,5 +376,6 @@ void vtkVisibilityVolume::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComputeFluenceRate: " << (this->ComputeFluenceRate ? "on" : "off") << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "NumberOfPreparations: " << this->GetNumberOfPreparations() << "\n";
+  os << indent << "PreparedScene: " << this->GetPreparedScene() << "\n";
   os << indent << "PreparedMemory: " << this->GetPreparedMemory() << "\n";
 }

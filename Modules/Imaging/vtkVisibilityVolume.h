@@ -187,7 +187,8 @@ public:
   ///@{
   /// Mesh and search tree are kept while the mesh stands, and shared on request: see vtkScatteringImageFilter.
   vtkObject* GetPreparedScene();
-  void SetPreparedScene(vtkObject* scene); ///< Share mesh and search tree with an image or a probe.
+  /// Share mesh and search tree with an image or a probe. Default: a scene of its own.
+  void SetPreparedScene(vtkObject* scene);
   void ReleasePreparedScene();             ///< Free what is kept for the next volume.
   vtkTypeInt64 GetPreparedMemory();        ///< Bytes of what is kept.
   vtkIdType GetNumberOfPreparations();     ///< How often this volume has read the mesh or built its tree.

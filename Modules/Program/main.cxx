@@ -17,11 +17,16 @@ int main(int argc, char** argv)
   vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
   WatchInterrupt();
   const std::unique_ptr<CLI::App> program = MakeProgram();
-  const std::string first = argc == 2 ? argv[1] : "";
+  const std::string first = argc > 1 ? argv[1] : "";
   if (first == "--manual" || first == "--completion")
   {
     std::cout << (first == "--manual" ? MakeManual(*program) : MakeCompletion(*program));
     return ExitDone;
+  }
+  if (!first.empty() && first[0] != '-' && !IsCommand(*program, first))
+  {
+    std::fprintf(stderr, "shadowcones: there is no command '%s': see shadowcones --help\n", first.c_str());
+    return ExitUsage;
   }
   try
   {

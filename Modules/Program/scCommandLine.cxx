@@ -2,6 +2,7 @@
 #include "scCommandLine.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 namespace shadowcones
 {
@@ -33,5 +34,11 @@ std::unique_ptr<CLI::App> MakeProgram()
   AddSunCommand(*program);
   AddChainCommands(*program);
   return program;
+}
+
+bool IsCommand(const CLI::App& program, const std::string& name)
+{
+  const auto commands = program.get_subcommands([](const CLI::App*) { return true; });
+  return std::any_of(commands.begin(), commands.end(), [&](const CLI::App* one) { return one->get_name() == name; });
 }
 } // namespace shadowcones

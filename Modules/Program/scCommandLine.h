@@ -33,6 +33,9 @@ CLI::App* AddCommand(CLI::App& program, const std::string& name, const std::stri
 /// The whole program, ready to parse; a command that is found runs.
 std::unique_ptr<CLI::App> MakeProgram();
 
+/// Is there a command of that name?
+bool IsCommand(const CLI::App& program, const std::string& name);
+
 /// The manual as man reads it.
 std::string MakeManual(const CLI::App& program);
 /// Completion for bash.

@@ -9,6 +9,7 @@
 #include "vtkDelimitedTextWriter.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkOBJWriter.h"
 #include "vtkPLYWriter.h"
@@ -19,6 +20,7 @@
 #include "vtkStringArray.h"
 #include "vtkTIFFWriter.h"
 #include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkXMLImageDataWriter.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -88,6 +90,15 @@ bool WriteAs(const std::string& extension, vtkDataObject* data, const std::strin
     : extension == "png"    ? WriteBy<vtkPNGWriter>(data, path)
     : extension == "tif"    ? WriteBy<vtkTIFFWriter>(data, path)
                             : WriteText(shadowcones::MakeTable(data, false), path);
+}
+
+/// Codes as numbers: a table would write them as letters.
+vtkSmartPointer<vtkAbstractArray> AsNumbers(vtkUnsignedCharArray* codes)
+{
+  auto numbers = vtkSmartPointer<vtkIntArray>::New();
+  numbers->DeepCopy(codes);
+  numbers->SetName(codes->GetName());
+  return numbers;
 }
 
 /// The name of the occluder in each row, where a table tells of occluders that have names.
@@ -176,7 +187,9 @@ std::string MakeTable(vtkDataObject* data, bool cells)
   }
   for (int i = 0; i < points->GetPointData()->GetNumberOfArrays(); ++i)
   {
-    table->AddColumn(points->GetPointData()->GetAbstractArray(i));
+    vtkAbstractArray* array = points->GetPointData()->GetAbstractArray(i);
+    auto* codes = vtkUnsignedCharArray::SafeDownCast(array);
+    table->AddColumn(codes ? AsNumbers(codes).Get() : array);
   }
   if (const auto names = NamesOf(data, points->GetPointData()->GetArray("OccluderId")))
   {

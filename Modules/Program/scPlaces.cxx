@@ -251,10 +251,10 @@ void AddPlaceOptions(CLI::App* command, PlaceOptions& options, bool surfaces)
   {
     return;
   }
-  command->add_option("--at", options.Points, "Ask at points, x,y,z each")->excludes(file)->excludes(ground);
-  command->add_option("--grid", options.Grid, "Ask at the points of a grid, nx,ny,nz of them")
-    ->excludes(file)
-    ->excludes(ground);
+  auto* points = command->add_option("--at", options.Points, "Ask at points, x,y,z each");
+  points->excludes(file)->excludes(ground);
+  auto* grid = command->add_option("--grid", options.Grid, "Ask at the points of a grid, nx,ny,nz of them");
+  grid->excludes(file)->excludes(ground)->excludes(points);
   command->add_option("--bounds", options.Bounds, "The box of the grid: x,x,y,y,z,z. Default: that of the medium")
     ->delimiter(',')
     ->expected(6);

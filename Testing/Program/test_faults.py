@@ -75,11 +75,11 @@ class FaultTest(ProgramTest):
         self.assertEqual(done.returncode, 0)
 
     def test_interrupt(self):
-        """Ctrl-C early, in the middle, and again: code 130 within two seconds, and the old file as it was."""
+        """Ctrl-C at three moments: code 130 within five seconds, and the old file as it was."""
         for wait in (0.3, 1.0, 2.0):
             self.write("a.png", "old")
             running = subprocess.Popen(
-                self.command("image", "cube.obj", *LAMP, "--size", "4000x4000", "--error", 1e-4, "-o", "a.png", "-q"),
+                self.command("image", "cube.obj", *LAMP, "--size", "1600x1600", "--error", 1e-4, "-o", "a.png", "-q"),
                 cwd=self.folder, stderr=subprocess.PIPE, text=True)
             time.sleep(wait)
             running.send_signal(signal.SIGINT)
@@ -87,7 +87,7 @@ class FaultTest(ProgramTest):
             _, error = running.communicate(timeout=60)
             self.assertEqual(running.returncode, 130, error)
             self.assertIn("interrupted", error)
-            self.assertLess(time.monotonic() - start, 10.0)
+            self.assertLess(time.monotonic() - start, 5.0)
             with open(self.path("a.png"), encoding="utf-8") as file:
                 self.assertEqual(file.read(), "old")
             self.assertEqual(sorted(os.listdir(self.folder)), sorted([*self.files, "a.png"]))

@@ -68,9 +68,14 @@ public:
   {
     const auto pairs = static_cast<vtkIdType>(casters.Ids.size() * lights);
     this->EvenShare = pairs > 0 ? (this->Wanted + pairs - 1) / pairs : 0;
-    this->Vectors = std::min<vtkIdType>(options.MinimumVectorsPerOccluder, this->EvenShare);
+    this->Vectors = this->Asked();
   }
 
+  /// Vectors below which an occluder has too few, even where all share evenly and are to have more.
+  vtkIdType Asked() const
+  {
+    return std::min<vtkIdType>(this->Options.MinimumVectorsPerOccluder, this->EvenShare);
+  }
   bool IsAsked() const { return this->Vectors > 0 && this->Casters.Ids.size() > 1; }
   vtkIdType PilotPhotons() const
   {
@@ -300,11 +305,11 @@ bool TraceAimedPhotons(const PhotonTracing& tracing, const TriangleMeshView& mes
   {
     return false;
   }
-  result.MinimumVectors = goal.Vectors;
+  result.MinimumVectors = goal.Asked();
   bool isKnown = true;
   for (AimedBundle& bundle : aimed)
   {
-    if (bundle.Fewest() > 0 && bundle.Fewest() < goal.Vectors)
+    if (bundle.Fewest() > 0 && bundle.Fewest() < goal.Asked())
     {
       const vtkIdType photons = goal.PhotonsFor(bundle, aimed.size());
       isKnown = isKnown && photons > 0;
@@ -312,7 +317,10 @@ bool TraceAimedPhotons(const PhotonTracing& tracing, const TriangleMeshView& mes
     }
     Keep(bundle, tracing.Bundles, result);
   }
-  result.PhotonsForScarce = isKnown ? result.PhotonsForScarce : 0;
+  // So many were not enough.
+  const auto more = static_cast<vtkIdType>(std::ceil(1.5 * static_cast<double>(options.NumberOfPhotons)));
+  result.PhotonsForScarce =
+    isKnown && result.PhotonsForScarce > 0 ? std::max(result.PhotonsForScarce, more) : 0;
   ofOthers = goal.GetLeastOfOthers();
   return true;
 }

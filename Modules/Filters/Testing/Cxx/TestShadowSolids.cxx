@@ -18,6 +18,7 @@
 #include "vtkFieldData.h"
 #include "vtkLabelOccluders.h"
 #include "vtkShadowVectorFilter.h"
+#include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 
 #include <gtest/gtest.h>
@@ -207,10 +208,14 @@ TEST(ShadowSolids, BooleansRun)
 {
   const Filter filter = Solids(House(), SunAt45(0.533), vtkShadowVolume::Visibility, 12);
   filter->Update();
-  vtkNew<vtkCubeSource> cube;
-  cube->SetBounds(12.3131, 60.0, -20.0, 4.7171, -5.0, 8.1919);
+  // VTK 9.1's Booleans lose parts where triangles as large as a box's sides are cut, of whatever solid.
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(20.013, 4.1, 8.07);
+  ball->SetRadius(6.3);
+  ball->SetThetaResolution(23);
+  ball->SetPhiResolution(19);
   vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputConnection(cube->GetOutputPort());
+  triangles->SetInputConnection(ball->GetOutputPort());
   triangles->Update();
   for (int port = 0; port < 2; ++port)
   {
