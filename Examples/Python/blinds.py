@@ -19,9 +19,9 @@ def brick(x0, x1, y0, y1, z0, z1):
 def blinds(number):
     """Slats across the window, turned a little against the Sun."""
     slats = []
-    for height in np.linspace(0.93, 2.46, number):
-        points, faces = brick(-0.09, -0.01, height, height + 0.006, -1.2, 1.2)
-        slats.append(([(x, y - 0.5 * (x + 0.05), z) for x, y, z in points], faces))
+    for height in np.linspace(1.0, 2.4, number):
+        points, faces = brick(-0.11, 0.0, height, height + 0.006, -1.2, 1.2)
+        slats.append(([(x, y + 0.55 * (x + 0.055), z) for x, y, z in points], faces))
     return slats
 
 
@@ -40,10 +40,10 @@ def main():
     options.add_argument("--goal", type=float, default=0.02, help="relative error of a pixel (default: 0.02)")
     arguments = common.parse(options)
     camera = vtkCamera()
-    camera.SetPosition(4.9, 1.55, 1.8)
-    camera.SetFocalPoint(1.0, 1.25, -0.4)
-    camera.SetViewAngle(62)
-    shot = sc.light_shafts(room() + blinds(14), "sun: direction 1,-0.42,-0.12 irradiance 800 W/m2", camera,
+    camera.SetPosition(4.6, 1.75, 1.85)
+    camera.SetFocalPoint(1.7, 1.15, -0.25)
+    camera.SetViewAngle(58)
+    shot = sc.light_shafts(room() + blinds(8), "sun: direction 1,-0.42,-0.12 irradiance 800 W/m2", camera,
                            (arguments.size, arguments.size * 5 // 8), arguments.goal, medium=ROOM, sigma_s=0.12,
                            asymmetry=0.4)
     shot.save(f"{arguments.output}/blinds.png")
