@@ -103,8 +103,9 @@ class SiteTest(unittest.TestCase):
         self.assertEqual("\n".join(broken), "")
 
     def test_pages(self):
-        """Every page opens wide and as narrow as a phone: no console error, every picture there, nothing cut off."""
-        for page in [*pages(False), "api/index.html"]:
+        """Pages, and one of those that show a source, open wide and narrow: no console error, every picture there, nothing cut off."""
+        written = [page for page in pages(False) if not page.startswith("sources")]
+        for page in [*written, "sources/Examples/Python/lights.py.html", "api/index.html"]:
             messages = self.open(page)
             for width in (1280, 390) if not page.startswith("api") else (1280,):
                 with self.subTest(page=page, width=width):

@@ -27,7 +27,7 @@ PLACES = {
     "Testing/Support/README.md": "testing-support.md",
 }
 LANGUAGES = {".py": "python", ".cxx": "c++", ".h": "c++", ".sh": "sh", ".txt": "text", ".json": "json", ".xml": "xml"}
-LINK = re.compile(r"(!?\[[^\]]*\]\()([^)\s]+)(\))")
+LINK = re.compile(r"(\]\()([^)\s]+)(\))")
 FENCE = re.compile(r"^(```|~~~)")
 SCRIPT = re.compile(r"(?<![\[`])`([a-z0-9_]+\.py)((?: [^`]*)?)`")
 
