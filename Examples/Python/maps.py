@@ -5,9 +5,7 @@ import common
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkLookupTable
 
-# Cividis: from dark blue over grey to yellow, of even steps in lightness, the same to colour-blind eyes.
-CIVIDIS = np.array([(0, 34, 78), (0, 50, 111), (53, 69, 108), (84, 88, 109), (112, 108, 116), (139, 130, 119),
-                    (171, 153, 113), (205, 179, 99), (238, 208, 76), (254, 232, 56)]) / 255.0
+CIVIDIS = common.SCALE / 255.0
 # Of Okabe and Ito.
 ORANGE = (0.90, 0.62, 0.0)
 SKY_BLUE = (0.34, 0.71, 0.91)

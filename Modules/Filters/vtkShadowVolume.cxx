@@ -339,11 +339,11 @@ bool vtkShadowVolume::ReadMeshAndLights(vtkInformationVector** inputVector, Inpu
       " cells and no polygon: shadows need surfaces. Run vtkDataSetSurfaceFilter first.");
     return false;
   }
+  const std::uint64_t casters = CastersFingerprintOf(in.Mesh);
   if (mesh)
   {
     in.OccluderNames = in.Mesh.OccluderNames;
-    in.CastersFingerprints = { CompareCasters(
-      CastersFingerprintOf(in.Mesh), meshPort, in.ConeData, "The cone set on input port 0", in.Said) };
+    in.CastersFingerprints = { CompareCasters(casters, meshPort, in.ConeData, "The cone set on input port 0", in.Said) };
     DropReceivers(in.Mesh);
   }
   if (lit && cones)
@@ -358,8 +358,7 @@ bool vtkShadowVolume::ReadMeshAndLights(vtkInformationVector** inputVector, Inpu
     {
       return false;
     }
-    CompareCasters(CastersFingerprintOf(in.Mesh), meshPort, volume->GetFieldData(),
-      "The visibility volume on input port 1", in.Said);
+    CompareCasters(casters, meshPort, volume->GetFieldData(), "The visibility volume on input port 1", in.Said);
     in.Cut = this->HasBounds() ? in.Cut : BoundsOf(in.Volume.front());
   }
   return true;
