@@ -24,6 +24,7 @@ import check_paths
 import check_presets
 import check_rooms
 import check_snippets
+import check_version
 import count_duplicates
 import house_numbers
 import numpy as np
@@ -52,6 +53,7 @@ SOUND = {
     "Documentation/filters/vtkThing.md": "Runs /usr/bin/python3 in ${HOME}/" + "work.\n",
     "Examples/Python/thing.py": CMAKE + "vtkThing()\n",
     "CHANGELOG.md": "`vtkThing`\n",
+    "CMakeLists.txt": CMAKE + "project(Thing VERSION 1.2.0)\n",
 }
 
 HEADER = LICENCE + """
@@ -294,6 +296,17 @@ int Long(
         self.assertEqual(self.faults(check_presets, sound), [])
         self.assertEqual(len(self.faults(check_presets, {**sound, "CMakePresets.json": presets % "{}"})), 1)
         self.assertEqual(len(self.faults(check_presets, {**sound, "CHANGELOG.md": "`vtkThing` --preset tiny"})), 1)
+
+    def test_version(self):
+        log = "## 1.2.0 (%s)\n- `vtkThing`\n\n## 1.1.0 (2020-01-02)\n"
+        sound = {"CHANGELOG.md": log % "2021-03-04", "a.md": "find_package(ShadowCones 1.2 REQUIRED)\n"}
+        self.assertEqual(self.faults(check_version, sound), [])
+        self.assertEqual(self.faults(check_version, {"CHANGELOG.md": log % "unreleased"}), [])
+        for changes in ({"CHANGELOG.md": log % "soon"}, {"CHANGELOG.md": log.replace("1.2.0", "1.3.0") % "2021-03-04"},
+                        {"CHANGELOG.md": log.replace("1.1.0", "1.2.1") % "2021-03-04"}, {"CMakeLists.txt": CMAKE + "project(A)\n"},
+                        {"CHANGELOG.md": (log % "2021-03-04").replace("2020-01-02", "unreleased")},
+                        {"a.md": "find_package(ShadowCones 1.1 REQUIRED)\n"}):
+            self.assertGreaterEqual(len(self.faults(check_version, {**sound, **changes})), 1, changes)
 
     def test_exposure(self):
         def fault(values):

@@ -44,5 +44,8 @@ cmake --fresh -S /packages/Consumer -B /packages/consumer-build >/packages/consu
 if command -v shadowcones >/dev/null 2>&1; then
   printf '\nThe command:\n'
   shadowcones --version
+  meshes=$(dpkg -L shadowcones-doc | sed -n 's|/chair.vtp$||p')
+  (cd /packages && shadowcones image "$meshes/chair.vtp" --size 160x120 -q -o chair.png && test -s chair.png)
+  printf 'a picture of light shafts: %s bytes\n' "$(stat -c %s /packages/chair.png)"
 fi
 printf '\nEvery package installs and works.\n'
