@@ -2,6 +2,7 @@
 #include "scUpdate.h"
 
 #include "scFailure.h"
+#include "scInnerFilter.h"
 #include "scTerminal.h"
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
@@ -15,6 +16,7 @@
 
 namespace
 {
+using shadowcones::PlainMessage;
 using shadowcones::ProgressBar;
 
 /// What the observer of one update knows.
@@ -42,21 +44,6 @@ void CollectUpstream(vtkAlgorithm* filter, std::vector<vtkAlgorithm*>& chain)
   chain.push_back(filter);
 }
 
-/// A message of VTK without the place in its sources: "vtkThing: what is wrong".
-std::string Sentence(const char* message)
-{
-  std::string text = message ? message : "";
-  const std::size_t place = text.find("): ");
-  const std::size_t name = text.rfind("vtk", place);
-  if (place != std::string::npos && name != std::string::npos)
-  {
-    const std::string kind = text.substr(name, text.find(' ', name) - name);
-    text = kind + ": " + text.substr(place + 3);
-  }
-  text.erase(text.find_last_not_of(" \n") + 1);
-  return text;
-}
-
 void Observe(vtkObject* caller, unsigned long event, void* data, void* message)
 {
   Watch* watch = static_cast<Watch*>(data);
@@ -64,7 +51,7 @@ void Observe(vtkObject* caller, unsigned long event, void* data, void* message)
   {
     if (watch->Error.empty())
     {
-      watch->Error = Sentence(static_cast<const char*>(message));
+      watch->Error = PlainMessage(static_cast<const char*>(message));
     }
     return;
   }
@@ -72,7 +59,7 @@ void Observe(vtkObject* caller, unsigned long event, void* data, void* message)
   {
     if (!watch->Quiet)
     {
-      std::fprintf(stderr, "\rwarning: %s\n", Sentence(static_cast<const char*>(message)).c_str());
+      std::fprintf(stderr, "\rwarning: %s\n", PlainMessage(static_cast<const char*>(message)).c_str());
     }
     return;
   }

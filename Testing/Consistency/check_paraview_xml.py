@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The ParaView XML offers each class whole: every parameter, enumerator, input and output port, with the class's own defaults."""
 
+import os
 import re
 import xml.etree.ElementTree as ElementTree
 
@@ -21,8 +22,39 @@ def numbers(values):
     return [float(v) for v in (values if isinstance(values, tuple) else (values,))]
 
 
+# What a text says is measured in, and what the label of the property or of its group must hold then.
+UNITS = ((r"\bdegrees\b", "°"), (r"\bworld units?\b", "world unit"), (r"\bpixels\b", "pixel"), (r"\bW m\^-2", "W m⁻²"),
+         (r"\b[Mm]inutes\b", "minute"), (r"\blux\b", "lx"))
+
+
+def panel_faults(proxy):
+    """Every property stands in a group, and its unit in its label or the group's. Scripts call it by its name all the same."""
+    groups = {}
+    for group in proxy.findall("PropertyGroup"):
+        if not group.get("label"):
+            yield "a group has no label"
+        for member in group.findall("Property"):
+            groups.setdefault(member.get("name"), []).append(group.get("label", ""))
+    items = [item for item in proxy if item.tag.endswith(("VectorProperty", "ProxyProperty")) and not item.get("information_only")]
+    for item in items:
+        name = item.get("name")
+        if name not in groups:
+            yield f"{name}: stands in no group"
+        text = " ".join(item.findtext("Documentation", "").split())
+        for words, unit in UNITS:
+            if re.search(words, text) and not any(unit in label for label in [item.get("label", ""), *groups.get(name, [])]):
+                yield f"{name}: neither its label nor its group's says {unit}"
+        # ParaView's Python takes the letters and digits of the label for the name.
+        if item.get("label") and re.sub(r"[^A-Za-z0-9_]", "", item.get("label")) != name:
+            yield f"{name}: scripts would have to call it by its label, {item.get('label')}"
+    for name in sorted(set(groups) - {item.get("name") for item in items}):
+        yield f"{name}: a group names it, and it is no property"
+
+
 def property_faults(item, instance):
     """What is wrong with one vector property."""
+    if item.get("information_only") == "1":
+        return  # what ParaView asks, and no one sets
     command = item.get("command", "")
     if not hasattr(instance, command):
         yield f"the class has no {command}()"
@@ -99,6 +131,11 @@ def proxy_faults(proxy, kind, optional_key):
         if item.find("EnumerationDomain") is not None:
             for fault in enumeration_faults(item, kind(), setters):
                 yield f"{item.get('name')}: {fault}"
+    if proxy.find("Hints/ShowInMenu") is not None:
+        yield from panel_faults(proxy)
+        for hint in proxy.findall("Hints/ShowInMenu"):
+            if hint.get("category") != "Shadow Cones" or hint.get("icon") != f":/ShadowConesIcons/{proxy.get('name')}.svg":
+                yield "stands in another category of the menu, or without an icon of its name"
     offered = {item.get("command", "")[3:] for item in proxy if item.get("command")}
     for name in sorted(setters):
         if hasattr(kind, "Get" + name) and name not in offered and name not in SCRIPTED:
@@ -136,6 +173,15 @@ def faults(root):
             yield f"{name}: stands in the group {group}"
         for fault in proxy_faults(proxy, kind, vtkAlgorithm.INPUT_IS_OPTIONAL()):
             yield f"{name}: {fault}"
+
+    icons = "Modules/ParaViewPlugin/icons/ShadowConesIcons.qrc"
+    if icons in sourcetree.files(root):
+        listed = {file.text for file in ElementTree.fromstring(sourcetree.text(root, icons)).iter("file")}
+        wanted = {hint.get("icon").split("/")[-1] for proxy in [p for ps in proxies.values() for _, p in ps]
+                  for hint in proxy.iter("ShowInMenu") if hint.get("icon")}
+        there = {os.path.basename(path) for path in sourcetree.files(root) if path.startswith("Modules/ParaViewPlugin/icons/")}
+        for name in sorted(wanted ^ listed | listed - there):
+            yield f"{name}: an icon is to be shown by a menu, listed in ShadowConesIcons.qrc, and beside it"
 
     # The camera has more parameters than the image uses: only those that are there are checked.
     for _, proxy in proxies.get("vtkCamera", []):

@@ -31,18 +31,24 @@ MUTATIONS = (
     ("Imaging", 'command="SetViewAngle" number_of_elements="1" default_values="30"',
      'command="SetViewAngle" number_of_elements="1" default_values="20"', "vtkCamera"),
     ("Imaging", 'command="SetSeed"', 'command="SetMode"', "SetSeed"),
+    ("Words", '<Property name="OpticalDepth"/>', "", "stands in no group"),
+    ("Words", 'Camera (resolution in pixels)', "Camera", "says pixel"),
+    ("Sources", 'label="Latitude (°)"', "", "says °"),
+    ("Sources", 'label="Latitude (°)"', 'label="Latitude (degrees, °)"', "by its label"),
+    ("Imaging", 'category="Shadow Cones"', 'category="Filters"', "another category"),
+    ("Filters", '<Property name="LabelBy"/>', '<Property name="LabelBy"/><Property name="LabelFor"/>', "LabelFor"),
 )
 
 
 class TestParaViewXml(unittest.TestCase):
     def faults(self, changed=None, old="", new=""):
         with tempfile.TemporaryDirectory() as root:
-            for module in ("Sources", "Filters", "Imaging"):
+            for module in ("Sources", "Filters", "Imaging", "Words"):
                 os.makedirs(os.path.join(root, "Modules", module))
                 path = f"Modules/{module}/CMakeLists.txt"
                 shutil.copy(os.path.join(ROOT, path), os.path.join(root, path))
             os.makedirs(os.path.join(root, "Modules", "ParaViewPlugin"))
-            for module in ("Sources", "Filters", "Imaging"):
+            for module in ("Sources", "Filters", "Imaging", "Words"):
                 path = f"Modules/ParaViewPlugin/ShadowCones{module}.xml"
                 with open(os.path.join(ROOT, path), encoding="utf-8") as stream:
                     content = stream.read()

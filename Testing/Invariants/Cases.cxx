@@ -10,6 +10,7 @@
 #include "vtkConeSetGeometry.h"
 #include "vtkConeSetProbe.h"
 #include "vtkLabelOccluders.h"
+#include "vtkLightShafts.h"
 #include "vtkPenumbraWidth.h"
 #include "vtkScatteringImageFilter.h"
 #include "vtkShadowFootprints.h"
@@ -451,6 +452,15 @@ Setting ScatteringImage(Size size, int mode, bool inFog = false)
   return setting;
 }
 
+Setting LightShafts(Size size)
+{
+  auto filter = vtkSmartPointer<vtkLightShafts>::New();
+  const int pixels = size == Size::Small ? 32 : 600;
+  filter->SetResolution(pixels, pixels - 3);
+  filter->SetRelativeErrorGoal(size == Size::Small ? 0.05 : 0.002);
+  return { filter, { { 0, Room() }, { 1, Lamp() } } };
+}
+
 Setting ToneMap(Size)
 {
   static const vtkSmartPointer<vtkImageData> image = []
@@ -525,6 +535,7 @@ const std::vector<Case>& AllCases()
       [](Size size) { return OfTwoLamps(ScatteringImage(size, vtkScatteringImageFilter::Guided)); } },
     { "ScatteringSoftOfTwoLamps",
       [](Size size) { return OfTwoLamps(ScatteringImage(size, vtkScatteringImageFilter::Soft)); }, false },
+    { "LightShafts", LightShafts, true, false },
     { "ToneMapRadiance", ToneMap, false },
     { "ScatteringVolumeFog", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Volume, true); } },
   };
