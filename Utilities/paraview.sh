@@ -1,0 +1,87 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# Get ParaView, build the plugin for it and test it, on Debian 12 or 13:
+#   sh Utilities/paraview.sh [--if-there] [--try-13 FOLDER]
+# A second run takes seconds. PARAVIEW_PREFIX in the environment names an unpacked ParaView to use instead of a download.
+set -eu
+. "$(dirname "$0")/setup.sh"
+
+usage()
+{
+  printf 'usage: sh Utilities/paraview.sh [--if-there] [--try-13 FOLDER]\n'
+  printf 'Unpack the ParaView of this system in build-paraview/debian, build the plugin in build-paraview and run its tests.\n'
+  printf -- '--if-there: do so only where the plugin has been built before; else say that it was not built.\n'
+  printf -- '--try-13 FOLDER: the same in a Debian 13 of its own in FOLDER, outside this tree (root, network, 4 GB).\n'
+}
+
+build="$root/build-paraview"
+case "${1:-}" in
+  "") ;;
+  --if-there)
+    if [ -z "$(find "$build/lib" -name ShadowConesParaView.so 2>/dev/null)" ]; then
+      printf 'ParaView plugin: not built here (sh Utilities/paraview.sh)\n'
+      exit 0
+    fi
+    ;;
+  --try-13)
+    [ -n "${2:-}" ] || { usage >&2; exit 2; }
+    [ "$(id -u)" -eq 0 ] || fail "--try-13 makes a system of its own: it needs root"
+    mkdir -p "$2"
+    system=$(cd "$2" && pwd)
+    case "$system/" in "$root"/*) fail "$system lies in this tree: name a folder elsewhere" ;; esac
+    install_packages debian
+    # The fresh system comes from where this one does.
+    mirror=$(LC_ALL=C apt-get indextargets --format '$(SITE)' | grep -v security | head -n 1)
+    [ -n "$mirror" ] || fail "no package source is configured: see /etc/apt"
+    if [ ! -f "$system/.complete" ]; then
+      debootstrap --variant=minbase trixie "$system" "$mirror" >"$system.log" 2>&1 || {
+        tail -n 20 "$system.log" >&2
+        fail "debootstrap could not make a Debian 13 from the package sources of this system"
+      }
+      cp -r /etc/apt/apt.conf.d/. "$system/etc/apt/apt.conf.d/"
+      cp /etc/resolv.conf "$system/etc/resolv.conf"
+      touch "$system/.complete"
+    fi
+    mkdir -p "$system/ShadowCones"
+    (cd "$root" && tar -c --exclude=./build --exclude='./build-*' --exclude=./output --exclude=./.git .) | tar -x -C "$system/ShadowCones"
+    unshare --mount sh -c 'mount -t proc proc "$0/proc" && mount --bind /dev "$0/dev" && chroot "$0" env -i HOME=/ \
+      PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 sh -c "dpkg --configure -a >/dev/null 2>&1; sh /ShadowCones/Utilities/paraview.sh"' "$system"
+    exit 0
+    ;;
+  *)
+    usage
+    [ "$1" = --help ] && exit 0
+    exit 2
+    ;;
+esac
+
+install_packages build paraview
+# What was configured before is used again.
+config=$(sed -n 's/^ParaView_DIR:PATH=//p' "$build/CMakeCache.txt" 2>/dev/null || true)
+prefix=${PARAVIEW_PREFIX:-${config%/usr/lib/*}}
+if [ -z "$prefix" ] || [ ! -d "$prefix/usr/lib" ]; then
+  # python3-paraview and python3-vtk9 exclude each other: ParaView is unpacked beside what the modules need, not installed.
+  install_packages paraview-libraries
+  prefix="$build/debian"
+  if [ ! -f "$prefix/.complete" ]; then
+    start=$(date +%s)
+    rm -rf "$prefix" "$build/packages"
+    mkdir -p "$prefix" "$build/packages"
+    (cd "$build/packages" && apt-get -q download paraview paraview-dev python3-paraview >download.log 2>&1) || {
+      cat "$build/packages/download.log" >&2
+      fail "ParaView could not be had from the package sources of this system"
+    }
+    for package in "$build"/packages/*.deb; do
+      dpkg -x "$package" "$prefix"
+    done
+    rm -rf "$build/packages"
+    touch "$prefix/.complete"
+    printf 'ParaView: %s s\n' "$(($(date +%s) - start))"
+  fi
+fi
+config=$(find "$prefix/usr/lib" -name paraview-config.cmake | head -n 1)
+[ -n "$config" ] || fail "there is no paraview-config.cmake below $prefix/usr/lib"
+build_project -DSHADOWCONES_BUILD_PARAVIEW_PLUGIN=ON -DSHADOWCONES_BUILD_TESTING=ON -DParaView_DIR="${config%/*}"
+(cd "$build" && ctest --output-on-failure)
+plugin=$(find "$build/lib" -name ShadowConesParaView.so)
+printf '\nThe plugin: %s\nTo try it: PV_PLUGIN_PATH=%s %s/usr/bin/paraview\n' "$plugin" "${plugin%/*}" "$prefix"
