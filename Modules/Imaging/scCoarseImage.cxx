@@ -94,14 +94,16 @@ ScatteringImage Enlarge(const ScatteringImage& coarse, const std::array<int, 4>&
   ScatteringImage image = coarse;
   image.Extent = extent;
   for (std::vector<float> ScatteringImage::*values : { &ScatteringImage::Radiance, &ScatteringImage::InScattering,
-         &ScatteringImage::SurfaceRadiance, &ScatteringImage::Transmittance })
+         &ScatteringImage::SurfaceRadiance, &ScatteringImage::Transmittance,
+         &ScatteringImage::MultipleScattering, &ScatteringImage::IndirectSurface })
   {
-    image.*values = enlarger.Linear(coarse.*values, wavelengths);
+    image.*values = (coarse.*values).empty() ? std::vector<float>() : enlarger.Linear(coarse.*values, wavelengths);
   }
   image.Depth = enlarger.Nearest(coarse.Depth);
   image.RelativeError = enlarger.Nearest(coarse.RelativeError);
   image.MediumError = enlarger.Nearest(coarse.MediumError);
   image.SampleCount = enlarger.Nearest(coarse.SampleCount);
+  image.PhotonError = coarse.PhotonError.empty() ? std::vector<float>() : enlarger.Nearest(coarse.PhotonError);
   return image;
 }
 } // anonymous namespace

@@ -11,8 +11,11 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <memory>
 #include <utility>
 
 namespace shadowcones
@@ -66,21 +69,35 @@ void WritePixels(const ScatteringImage& image, vtkPointData* points)
   AddFloatArray(points, "RelativeError", 1, image.RelativeError);
   AddFloatArray(points, "SurfaceRelativeError", 1, image.SurfaceRelativeError);
   AddIntArray(points, "SampleCount", 1, image.SampleCount);
+  if (!image.MultipleScattering.empty())
+  {
+    AddFloatArray(points, "MultipleScattering", wavelengths, image.MultipleScattering);
+    AddFloatArray(points, "IndirectSurface", wavelengths, image.IndirectSurface);
+    AddFloatArray(points, "PhotonError", 1, image.PhotonError);
+  }
 }
 
 double FindExposure(vtkImageData* image, const std::vector<double>& wavelengthsInNm)
 {
   vtkDataArray* radiance = image->GetPointData()->GetArray("Radiance");
-  const auto sameShape = [radiance](vtkDataArray* array)
+  std::vector<vtkDataArray*> parts; // all but the lamp
+  for (const char* name : { "InScattering", "SurfaceRadiance", "MultipleScattering", "IndirectSurface" })
   {
-    return array && array->GetNumberOfComponents() == radiance->GetNumberOfComponents() &&
-      array->GetNumberOfTuples() == radiance->GetNumberOfTuples();
-  };
-  vtkDataArray* medium = image->GetPointData()->GetArray("InScattering");
-  vtkDataArray* surface = image->GetPointData()->GetArray("SurfaceRadiance");
-  const bool withoutLamp = sameShape(medium) && sameShape(surface);
-  const FloatValues first(withoutLamp ? medium : radiance);
-  const FloatValues second(withoutLamp ? surface : radiance);
+    vtkDataArray* array = image->GetPointData()->GetArray(name);
+    if (array && array->GetNumberOfComponents() == radiance->GetNumberOfComponents() &&
+      array->GetNumberOfTuples() == radiance->GetNumberOfTuples())
+    {
+      parts.push_back(array);
+    }
+    else if (parts.size() < 2)
+    {
+      parts = { radiance };
+      break;
+    }
+  }
+  std::vector<std::unique_ptr<FloatValues>> values;
+  std::transform(parts.begin(), parts.end(), std::back_inserter(values),
+    [](vtkDataArray* array) { return std::make_unique<FloatValues>(array); });
 
   int size[3];
   image->GetDimensions(size);
@@ -88,12 +105,14 @@ double FindExposure(vtkImageData* image, const std::vector<double>& wavelengthsI
   const std::array<int, 4> extent{ 0, size[0] - 1, 0, size[1] - 1 };
   const std::size_t slice = static_cast<std::size_t>(size[0]) * size[1] * wavelengthsInNm.size();
   std::vector<double> luminances;
+  std::vector<const float*> slices(values.size());
   for (int k = 0; k < size[2]; ++k)
   {
+    std::transform(values.begin(), values.end(), slices.begin(),
+      [&](const std::unique_ptr<FloatValues>& part) { return part->Data() + k * slice; });
     for (const std::array<int, 4>& square : ExposureSquares(size[0], size[1]))
     {
-      AppendLuminances(extent, square, first.Data() + k * slice, withoutLamp ? second.Data() + k * slice : nullptr,
-        weights, luminances);
+      AppendLuminances(extent, square, slices, weights, luminances);
     }
   }
   return ExposureOf(std::move(luminances));

@@ -23,7 +23,7 @@ namespace shadowcones
 void WritePixels(const ScatteringImage& image, vtkPointData* points);
 /**
  * The exposure of an image that is there as a whole, from "InScattering" + "SurfaceRadiance" or, where one is missing, from
- * "Radiance". Slices along z count alike.
+ * "Radiance"; with "MultipleScattering" + "IndirectSurface" where they are there. Slices along z count alike.
  */
 double FindExposure(vtkImageData* image, const std::vector<double>& wavelengthsInNm);
 /// Add "RGB", the active scalars, of the "Radiance" of an image to @p output, and field data "Exposure".

@@ -102,8 +102,13 @@ void KeptImage::KeepExposure(
   std::vector<double> luminances;
   for (std::size_t k = first; k < extents.size(); ++k)
   {
-    AppendLuminances(
-      extents[k], extents[k], images[k].InScattering.data(), images[k].SurfaceRadiance.data(), weights, luminances);
+    const ScatteringImage& image = images[k];
+    std::vector<const float*> parts{ image.InScattering.data(), image.SurfaceRadiance.data() };
+    if (!image.MultipleScattering.empty())
+    {
+      parts.insert(parts.end(), { image.MultipleScattering.data(), image.IndirectSurface.data() });
+    }
+    AppendLuminances(extents[k], extents[k], parts, weights, luminances);
   }
   this->Exposure = ExposureOf(std::move(luminances));
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scNearestVectors.h
- * @brief Nearest neighbours among points of which some die. Hides PCL. Internal to Core.
+ * @brief Nearest neighbours among points of which some die. Internal to Core.
  */
 #ifndef scNearestVectors_h
 #define scNearestVectors_h
 
 #include "scBox.h"
+#include "scPointTree.h"
 #include "vtkType.h"
 
 #include <memory>
@@ -17,7 +18,7 @@ namespace shadowcones
 
 /**
  * A kd-tree over the living points. The dead are skipped by a query and dropped when they outnumber the living, so that
- * rebuilding costs O(n log n) in all. Points are held in single precision in a centred, scaled frame.
+ * rebuilding costs O(n log n) in all.
  */
 class NearestVectors
 {
@@ -34,7 +35,6 @@ public:
   void Query(vtkIdType id, int k, std::vector<vtkIdType>& ids) const;
 
 private:
-  struct Tree;
   void Build();
 
   const double* Points;
@@ -42,7 +42,7 @@ private:
   std::vector<unsigned char> Alive;
   std::vector<vtkIdType> TreeIds; ///< point of each entry of the tree
   vtkIdType NumberAlive = 0;
-  std::unique_ptr<Tree> Index;
+  std::unique_ptr<PointTree> Tree;
 };
 
 } // namespace shadowcones

@@ -2,6 +2,7 @@
 #include "scRenderScattering.h"
 
 #include "scDensityGrid.h"
+#include "scIndirectLight.h"
 #include "scMediumTerm.h"
 #include "scPrimaryHits.h"
 #include "scRenderContext.h"
@@ -36,6 +37,9 @@ void Allocate(const std::array<int, 4>& extent, std::size_t wavelengths, Scatter
   image.MediumError.assign(pixels, 0.0f);
   image.SampleCount.assign(pixels, 0);
   image.SurfaceRelativeError.assign(pixels, 0.0f);
+  image.MultipleScattering.clear();
+  image.IndirectSurface.clear();
+  image.PhotonError.clear();
   image.NumberOfOcclusionRays = 0;
   image.NumberOfShadowLines = 0;
   image.NumberOfThickRays = 0;
@@ -75,7 +79,8 @@ std::vector<ScatteringScene> WithPlainMedia(const std::vector<ScatteringScene>& 
     {
       std::for_each(sigmas->begin(), sigmas->end(), [density](double& sigma) { sigma *= density; });
     }
-    plain.push_back({ scene.Occluders, scene.Light, medium, scene.Camera, scene.Cones, scene.Visibility });
+    plain.push_back({ scene.Occluders, scene.Light, medium, scene.Camera, scene.Cones, scene.Visibility, scene.Layout,
+      scene.Photons });
   }
   return plain;
 }
@@ -179,6 +184,7 @@ private:
   bool RenderMedium(std::size_t light, const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
   bool RenderMedia(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
   bool Shade(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
+  bool AddIndirect(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
 
   std::vector<Medium> Media; ///< those that were made plain
   const std::vector<ScatteringScene> Scenes;
@@ -278,12 +284,37 @@ bool ImageRenderer::Shade(const PrimaryHits& hits, const Monitor& monitor, Scatt
   return finished;
 }
 
+/// What photon maps say, where there are any: after all else.
+bool ImageRenderer::AddIndirect(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const
+{
+  const ScatteringScene& scene = this->Scenes.front();
+  if (!scene.Photons)
+  {
+    return true;
+  }
+  image.MultipleScattering.assign(image.Radiance.size(), 0.0f);
+  image.IndirectSurface.assign(image.Radiance.size(), 0.0f);
+  image.PhotonError.assign(image.Depth.size(), 0.0f);
+  const int columns = image.Extent[1] - image.Extent[0] + 1;
+  return ParallelFor(static_cast<vtkIdType>(image.Depth.size()), monitor,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      IndirectLight indirect(scene, this->Options, this->Shading.Groups, hits, image);
+      for (vtkIdType index = begin; index < end; ++index)
+      {
+        indirect.Add(
+          image.Extent[0] + static_cast<int>(index % columns), image.Extent[2] + static_cast<int>(index / columns));
+      }
+    });
+}
+
 bool ImageRenderer::Render(const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image) const
 {
   Allocate(extent, this->Scenes.front().Light.Spectrum.size(), image);
+  const double shaded = this->Scenes.front().Photons ? 0.85 : 1.0;
   PrimaryHits hits(this->Scenes.front(), this->Options, extent, this->Visible);
   return hits.Trace(monitor.Part(0.0, 0.05)) && this->RenderMedia(hits, monitor.Part(0.05, 0.8), image) &&
-    this->Shade(hits, monitor.Part(0.8, 1.0), image);
+    this->Shade(hits, monitor.Part(0.8, shaded), image) && this->AddIndirect(hits, monitor.Part(shaded, 1.0), image);
 }
 
 void ThrowWhereWrong(const ScatteringOptions& options)

@@ -32,6 +32,10 @@ struct ScatteringImage
   std::vector<float> RelativeError;   ///< one standard error of InScattering over its value (mean over wavelengths); -1: not known
   std::vector<float> MediumError;     ///< the same, not over its value, which may be 0; -1: not known
   std::vector<int> SampleCount;       ///< light samples taken for the medium term
+  /// Only with photon maps, else empty: light that took more than one scattering or reflection, parts of Radiance too.
+  std::vector<float> MultipleScattering; ///< per wavelength: scattered towards the camera by the medium
+  std::vector<float> IndirectSurface;    ///< per wavelength: reflected by the first surface, as seen through the medium
+  std::vector<float> PhotonError; ///< one standard error of both over their sum, mean over wavelengths, of the noise alone
   std::vector<float> SurfaceRelativeError; ///< one standard error of SurfaceRadiance over its value; -1: not known
   vtkIdType NumberOfOcclusionRays = 0; ///< rays towards the light, medium and surfaces together
   /// Guided: whole lines whose shadow was found at once; 0: rays were cheaper. Each counts as 16 samples and rays.

@@ -20,6 +20,7 @@ namespace shadowcones
 {
 
 class VisibilityGridSampler;
+struct PhotonEstimates;
 struct VisibilityGrid;
 
 /// A grid laid out for the camera's rays, by several threads: for what is rendered more than once. The grid must outlive it.
@@ -39,6 +40,8 @@ struct ScatteringScene
   const ConeHierarchy* Cones = nullptr;
   const VisibilityGrid* Visibility = nullptr; ///< Soft, Volume
   const VisibilityGridSampler* Layout = nullptr; ///< of that grid; nullptr: it is laid out for this image
+  /// Of all lights together: those of the first scene count. nullptr: single scattering and direct light alone.
+  const PhotonEstimates* Photons = nullptr;
 };
 
 } // namespace shadowcones

@@ -2,6 +2,7 @@
 #include "scSurfacePoint.h"
 
 #include "scConstants.h"
+#include "scTriangleReflectance.h"
 
 #include <algorithm>
 
@@ -34,7 +35,9 @@ void SurfacePoints::Find(const Ray& ray, const PrimaryHit& hit, SurfacePoint& po
   for (std::size_t k = 0; k < point.Throughput.size(); ++k)
   {
     const double sigmaT = this->Groups.SigmaT[static_cast<std::size_t>(this->Groups.GroupOf[k])];
-    point.Throughput[k] = this->Reflectance(hit.Triangle, k) / Pi * TransmittanceOver(sigmaT, depth);
+    const double reflectance = TriangleReflectance(this->Options.SurfaceReflectance,
+      this->Options.ReflectanceComponents, this->Options.Reflectance, hit.Triangle, k);
+    point.Throughput[k] = reflectance / Pi * TransmittanceOver(sigmaT, depth);
   }
 }
 
@@ -77,18 +80,6 @@ void SurfacePoints::Smooth(vtkIdType triangle, SurfacePoint& point) const
     point.Normal = (1.0 / length) * normal;
     point.Position = point.Position + lift;
   }
-}
-
-double SurfacePoints::Reflectance(vtkIdType triangle, std::size_t wavelength) const
-{
-  const ScatteringOptions& options = this->Options;
-  if (options.SurfaceReflectance.empty())
-  {
-    return options.Reflectance;
-  }
-  const auto components = static_cast<std::size_t>(options.ReflectanceComponents);
-  return options
-    .SurfaceReflectance[static_cast<std::size_t>(triangle) * components + (components > 1 ? wavelength : 0)];
 }
 
 } // namespace shadowcones

@@ -45,7 +45,6 @@ public:
 
 private:
   void Smooth(vtkIdType triangle, SurfacePoint& point) const;
-  double Reflectance(vtkIdType triangle, std::size_t wavelength) const;
 
   const ScatteringScene& Scene;
   const ScatteringOptions& Options;

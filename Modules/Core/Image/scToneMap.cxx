@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace shadowcones
 {
@@ -86,8 +87,8 @@ std::vector<std::array<int, 4>> ExposureSquares(int width, int height)
   return squares;
 }
 
-void AppendLuminances(const std::array<int, 4>& extent, const std::array<int, 4>& square, const float* first,
-  const float* second, const std::vector<double>& weights, std::vector<double>& luminances)
+void AppendLuminances(const std::array<int, 4>& extent, const std::array<int, 4>& square,
+  const std::vector<const float*>& parts, const std::vector<double>& weights, std::vector<double>& luminances)
 {
   const auto columns = static_cast<std::size_t>(extent[1] - extent[0] + 1);
   for (int j = square[2]; j <= square[3]; ++j)
@@ -100,7 +101,9 @@ void AppendLuminances(const std::array<int, 4>& extent, const std::array<int, 4>
       for (std::size_t k = 0; k < weights.size(); ++k)
       {
         const std::size_t value = pixel * weights.size() + k;
-        luminance += weights[k] * (static_cast<double>(first[value]) + (second ? second[value] : 0.0f));
+        const double sum = std::accumulate(parts.begin(), parts.end(), 0.0,
+          [value](double before, const float* part) { return before + static_cast<double>(part[value]); });
+        luminance += weights[k] * sum;
       }
       luminances.push_back(luminance);
     }

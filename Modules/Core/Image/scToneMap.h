@@ -27,11 +27,11 @@ SHADOWCONESCORE_EXPORT std::vector<double> LuminanceWeights(const std::vector<do
 SHADOWCONESCORE_EXPORT std::vector<std::array<int, 4>> ExposureSquares(int width, int height);
 
 /**
- * Append the luminance of the pixels of a square: of first + second (nullptr: nothing), which have one value a wavelength of
- * each pixel of the extent, i fastest. The square lies in the extent; both are i from, to, j from, to, inclusive.
+ * Append the luminance of the pixels of a square: of the sum of parts, which have one value a wavelength of each pixel of the
+ * extent, i fastest. The square lies in the extent; both are i from, to, j from, to, inclusive.
  */
 SHADOWCONESCORE_EXPORT void AppendLuminances(const std::array<int, 4>& extent, const std::array<int, 4>& square,
-  const float* first, const float* second, const std::vector<double>& weights, std::vector<double>& luminances);
+  const std::vector<const float*>& parts, const std::vector<double>& weights, std::vector<double>& luminances);
 
 /**
  * One over the luminance that is to be white: the 99th percentile, or the largest where that is not above 0. 1 where all is

@@ -42,6 +42,9 @@ struct PhaseFunction
 /// Per steradian. @p cosine between the light's way of travel and the scattered direction: 1 is forward.
 SHADOWCONESCORE_EXPORT double EvaluatePhaseFunction(const PhaseFunction& phase, double cosine);
 
+/// The cosine, in exact proportion to the phase function, of a uniform @p u in [0, 1): each by the inverse of its integral.
+SHADOWCONESCORE_EXPORT double SamplePhaseCosine(const PhaseFunction& phase, double u);
+
 } // namespace shadowcones
 
 #endif

@@ -120,10 +120,10 @@ TEST(ToneMap, LuminancesOfASquare)
   const std::vector<float> first{ 0, 0, 1, 2, 3, 4, 0, 0, 5, 6, 7, 8 };
   const std::vector<float> second{ 9, 9, 1, 1, 1, 1, 9, 9, 1, 1, 1, 1 };
   std::vector<double> luminances;
-  AppendLuminances({ 4, 6, 7, 8 }, { 5, 6, 7, 8 }, first.data(), second.data(), { 0.25, 0.75 }, luminances);
+  AppendLuminances({ 4, 6, 7, 8 }, { 5, 6, 7, 8 }, { first.data(), second.data() }, { 0.25, 0.75 }, luminances);
   EXPECT_EQ(luminances, (std::vector<double>{ 2.75, 4.75, 6.75, 8.75 }));
   luminances.clear();
-  AppendLuminances({ 4, 6, 7, 8 }, { 5, 5, 8, 8 }, first.data(), nullptr, { 0.25, 0.75 }, luminances);
+  AppendLuminances({ 4, 6, 7, 8 }, { 5, 5, 8, 8 }, { first.data() }, { 0.25, 0.75 }, luminances);
   EXPECT_EQ(luminances, (std::vector<double>{ 5.75 }));
 }
 

@@ -89,3 +89,28 @@ TEST(PhaseFunction, MiePresetsPeakForwardAsThePowersTheyFit)
   EXPECT_NEAR(
     4.0 * pi * EvaluatePhaseFunction({ PhaseFunctionKind::BlasiSchlick, SchlickMurkyMie(), 0.0 }, forward), 17.0, 0.4);
 }
+
+TEST(PhaseFunction, SampledCosinesInvertTheIntegral)
+{
+  for (const PhaseFunction& phase : AllKinds())
+  {
+    // Of two lobes each has a part of the interval: there the share of cosines up to one is counted.
+    const int samples = 20000;
+    for (const double limit : { -0.8, -0.1, 0.45, 0.93 })
+    {
+      int below = 0;
+      for (int i = 0; i < samples; ++i)
+      {
+        below += SamplePhaseCosine(phase, (i + 0.5) / samples) <= limit ? 1 : 0;
+      }
+      const int steps = 2000;
+      double share = 0.0;
+      for (int i = 0; i < steps; ++i)
+      {
+        const double cosine = -1.0 + (limit + 1.0) * (i + 0.5) / steps;
+        share += 2.0 * pi * EvaluatePhaseFunction(phase, cosine) * (limit + 1.0) / steps;
+      }
+      EXPECT_NEAR(below, samples * share, 2.1 + 1e-5 * samples) << "kind " << static_cast<int>(phase.Kind);
+    }
+  }
+}
