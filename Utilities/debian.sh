@@ -31,27 +31,11 @@ for package in "$packages"/*.deb; do
 done
 [ -n "$try" ] || exit 0
 
-# The fresh system takes its packages from where this one does.
-[ "$(id -u)" -eq 0 ] || fail "--try makes a system of its own below $build: it needs root"
 . /etc/os-release
-mirror=$(LC_ALL=C apt-get indextargets --format '$(SITE) $(RELEASE)' | sed -n "s/ $VERSION_CODENAME\$//p" | head -n 1)
-[ -n "$mirror" ] || fail "no package source of $VERSION_CODENAME is configured: see /etc/apt"
 system="$build/system"
-if [ ! -f "$system/.complete" ]; then
-  rm -rf "$system"
-  debootstrap --variant=minbase "$VERSION_CODENAME" "$system" "$mirror" >"$build/debootstrap.log" 2>&1 || {
-    tail -n 20 "$build/debootstrap.log" >&2
-    fail "debootstrap could not make a system from the package sources of this one"
-  }
-  rm -f "$system/etc/apt/sources.list"
-  cp -r /etc/apt/. "$system/etc/apt/"
-  cp /etc/resolv.conf "$system/etc/resolv.conf"
-  chroot "$system" apt-get -q update >"$build/update.log" 2>&1 || fail "the fresh system cannot reach the package sources"
-  touch "$system/.complete"
-fi
+make_system "$system" "$VERSION_CODENAME"
 mkdir -p "$system/packages"
 cp "$packages"/*.deb "$system/packages/"
 cp -r "$root/Examples/Consumer" "$system/packages/"
 cp "$root/Utilities/debian/try.sh" "$system/packages/"
-# Some packages look at /proc while they are installed; in a mount namespace it is gone again afterwards.
-unshare --mount sh -c 'mount -t proc proc "$0/proc" && chroot "$0" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin sh /packages/try.sh' "$system"
+in_system "$system" sh /packages/try.sh

@@ -25,27 +25,12 @@ case "${1:-}" in
     ;;
   --try-13)
     [ -n "${2:-}" ] || { usage >&2; exit 2; }
-    [ "$(id -u)" -eq 0 ] || fail "--try-13 makes a system of its own: it needs root"
     mkdir -p "$2"
     system=$(cd "$2" && pwd)
     case "$system/" in "$root"/*) fail "$system lies in this tree: name a folder elsewhere" ;; esac
-    install_packages debian
-    # The fresh system comes from where this one does.
-    mirror=$(LC_ALL=C apt-get indextargets --format '$(SITE)' | grep -v security | head -n 1)
-    [ -n "$mirror" ] || fail "no package source is configured: see /etc/apt"
-    if [ ! -f "$system/.complete" ]; then
-      debootstrap --variant=minbase trixie "$system" "$mirror" >"$system.log" 2>&1 || {
-        tail -n 20 "$system.log" >&2
-        fail "debootstrap could not make a Debian 13 from the package sources of this system"
-      }
-      cp -r /etc/apt/apt.conf.d/. "$system/etc/apt/apt.conf.d/"
-      cp /etc/resolv.conf "$system/etc/resolv.conf"
-      touch "$system/.complete"
-    fi
-    mkdir -p "$system/ShadowCones"
-    (cd "$root" && tar -c --exclude=./build --exclude='./build-*' --exclude=./output --exclude=./.git .) | tar -x -C "$system/ShadowCones"
-    unshare --mount sh -c 'mount -t proc proc "$0/proc" && mount --bind /dev "$0/dev" && chroot "$0" env -i HOME=/ \
-      PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 sh -c "dpkg --configure -a >/dev/null 2>&1; sh /ShadowCones/Utilities/paraview.sh"' "$system"
+    make_system "$system" trixie
+    copy_tree "$system/ShadowCones"
+    in_system "$system" sh /ShadowCones/Utilities/paraview.sh
     exit 0
     ;;
   *)

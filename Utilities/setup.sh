@@ -78,3 +78,39 @@ build_project()
   cmake --build "$build" -j "$(nproc)" || fail "building failed; the reason stands above"
   printf 'Build: %s s\n' "$(($(date +%s) - start))"
 }
+
+# A bare Debian of the release named in a folder of its own, from where this system takes its packages: make_system FOLDER RELEASE
+make_system()
+{
+  [ "$(id -u)" -eq 0 ] || fail "a system of its own in $1 needs root"
+  if [ -f "$1/.complete" ]; then
+    return 0
+  fi
+  install_packages debian
+  mirror=$(LC_ALL=C apt-get indextargets --format '$(SITE)' | grep -v security | head -n 1)
+  [ -n "$mirror" ] || fail "no package source is configured: see /etc/apt"
+  rm -rf "$1"
+  mkdir -p "$1"
+  debootstrap --variant=minbase "$2" "$1" "$mirror" >"$1.log" 2>&1 || {
+    tail -n 20 "$1.log" >&2
+    fail "debootstrap could not make a Debian ($2) from the package sources of this one"
+  }
+  cp -r /etc/apt/apt.conf.d/. "$1/etc/apt/apt.conf.d/"
+  cp /etc/resolv.conf "$1/etc/resolv.conf"
+  chroot "$1" apt-get -q update >"$1.log" 2>&1 || fail "the system in $1 cannot reach the package sources"
+  touch "$1/.complete"
+}
+
+# Run a command in such a system, with /proc and /dev as long as it runs: in_system FOLDER COMMAND...
+in_system()
+{
+  unshare --mount sh -c 'system=$1; shift; mount -t proc proc "$system/proc" && mount --bind /dev "$system/dev" &&
+    exec chroot "$system" env -i HOME=/ PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 "$@"' in_system "$@"
+}
+
+# Copy what is in this tree, without what was built, to a folder.
+copy_tree()
+{
+  mkdir -p "$1"
+  (cd "$root" && tar -c --exclude=./build --exclude='./build-*' --exclude=./output --exclude=./.git .) | tar -x -C "$1"
+}

@@ -9,3 +9,4 @@ build_project -DSHADOWCONES_BUILD_TESTING=ON -DSHADOWCONES_BUILD_EXAMPLES=ON
 (cd "$build" && ctest --output-on-failure -j2 "$@")
 # The plugin is a build of its own for another VTK: it is tested where it has been built.
 sh "$root/Utilities/paraview.sh" --if-there
+printf 'Not tried here: sanitizers, clang and fresh systems (sh Utilities/matrix.sh)\n'
