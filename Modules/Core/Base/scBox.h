@@ -69,6 +69,14 @@ struct Box
   }
 };
 
+/// What two boxes have in common; empty where they have no point.
+inline Box Intersection(const Box& a, const Box& b)
+{
+  const Box box{ { std::fmax(a.Min.X, b.Min.X), std::fmax(a.Min.Y, b.Min.Y), std::fmax(a.Min.Z, b.Min.Z) },
+    { std::fmin(a.Max.X, b.Max.X), std::fmin(a.Max.Y, b.Max.Y), std::fmin(a.Max.Z, b.Max.Z) } };
+  return box.Min.X <= box.Max.X && box.Min.Y <= box.Max.Y && box.Min.Z <= box.Max.Z ? box : Box();
+}
+
 } // namespace shadowcones
 
 #endif

@@ -13,15 +13,6 @@ namespace
 constexpr int leafSide = 4;
 /// The grid is divided into at most this many blocks a side that see every cone.
 constexpr int coarseBlocks = 8;
-
-Box Intersection(const Box& a, const Box& b)
-{
-  Box box;
-  box.Min = { std::max(a.Min.X, b.Min.X), std::max(a.Min.Y, b.Min.Y), std::max(a.Min.Z, b.Min.Z) };
-  box.Max = { std::min(a.Max.X, b.Max.X), std::min(a.Max.Y, b.Max.Y), std::min(a.Max.Z, b.Max.Z) };
-  const Vector3 size = box.Size();
-  return size.X > 0.0 && size.Y > 0.0 && size.Z > 0.0 ? box : Box{};
-}
 } // anonymous namespace
 
 ConeDistanceField::ConeDistanceField(const std::vector<Cone>& cones, ConeBound bound, double length, const Box& bounds)
@@ -55,6 +46,8 @@ ConeDistanceField::ConeDistanceField(const std::vector<Cone>& cones, ConeBound b
   if (!bounds.Empty() && !this->Extent.Empty())
   {
     this->Extent = Intersection(this->Extent, bounds);
+    const Vector3 size = this->Extent.Size();
+    this->Extent = std::min({ size.X, size.Y, size.Z }) > 0.0 ? this->Extent : Box();
   }
 }
 

@@ -137,8 +137,8 @@ LitMinusBlockedScene::LitMinusBlockedScene(const RenderContext& context)
     this->Darkest = DarkestFraction * LookAtImage(*this);
     if (LinesOfLight::Fit(context) && scene.Occluders.Mesh().NumberOfTriangles <= mostTriangles)
     {
-      auto lines = std::make_unique<LineShadows>(scene.Occluders.Mesh());
-      this->Lines = LinesCostLess(*this, *lines) ? std::move(lines) : nullptr;
+      const LineShadows& lines = scene.Occluders.Lines();
+      this->Lines = LinesCostLess(*this, lines) ? &lines : nullptr;
     }
   }
 }

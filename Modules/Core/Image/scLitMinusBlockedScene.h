@@ -6,7 +6,6 @@
 #ifndef scLitMinusBlockedScene_h
 #define scLitMinusBlockedScene_h
 
-#include "scLineShadows.h"
 #include "scLitQuadrature.h"
 #include "scRenderContext.h"
 
@@ -16,6 +15,7 @@
 namespace shadowcones
 {
 
+class LineShadows;
 class VisibilityGridSampler;
 
 /// What all threads share, whatever part of the image is rendered.
@@ -34,7 +34,7 @@ struct LitMinusBlockedScene
   double TypicalMean = 0.0;        ///< over wavelengths
   double Darkest = 0.0;            ///< pixels that are darker are sampled as if they had this, mean over wavelengths
   const VisibilityGridSampler* Grid = nullptr; ///< Soft, Volume
-  std::unique_ptr<LineShadows> Lines;          ///< Guided, where whole lines are worth it
+  const LineShadows* Lines = nullptr;          ///< Guided, where whole lines are worth it
 
 private:
   std::unique_ptr<const VisibilityGridSampler> OwnGrid;

@@ -13,11 +13,7 @@ CasterBoxes BoxesOfCasters(const TriangleMeshView& mesh)
   {
     if (mesh.OccluderId(t) >= 0)
     {
-      Box& box = boxes[mesh.OccluderId(t)];
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        box.Add(mesh.Corner(t, corner));
-      }
+      boxes[mesh.OccluderId(t)].Add(mesh.BoundsOf(t));
     }
   }
   CasterBoxes casters;

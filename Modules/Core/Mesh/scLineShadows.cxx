@@ -16,15 +16,6 @@ namespace
 constexpr double joinedWithin = 16.0;
 thread_local std::int64_t groupsLookedAt = 0;
 
-Box BoundsOf(const TriangleMeshView& mesh, vtkIdType triangle)
-{
-  Box box;
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    box.Add(mesh.Corner(triangle, corner));
-  }
-  return box;
-}
 } // anonymous namespace
 
 /**
@@ -66,9 +57,16 @@ LineShadows::LineShadows(const TriangleMeshView& mesh)
   pieces.reserve(static_cast<std::size_t>(mesh.NumberOfTriangles));
   for (vtkIdType triangle = 0; triangle < mesh.NumberOfTriangles; ++triangle)
   {
-    pieces.push_back({ BoundsOf(mesh, triangle), static_cast<unsigned int>(triangle) });
+    pieces.push_back({ mesh.BoundsOf(triangle), static_cast<unsigned int>(triangle) });
   }
   this->Root = this->Build(mesh, pieces.data(), pieces.data() + pieces.size());
+  this->Nodes.shrink_to_fit();
+  this->Groups.shrink_to_fit();
+}
+
+std::int64_t LineShadows::Memory() const
+{
+  return static_cast<std::int64_t>(this->Nodes.capacity() * sizeof(Node) + this->Groups.capacity() * sizeof(Group));
 }
 
 std::int64_t LineShadows::GroupsLookedAt()

@@ -47,6 +47,9 @@ public:
    */
   bool Find(const LineAndLight& query, const unsigned char* ignored, std::vector<RayInterval>& hidden) const;
 
+  /// Bytes.
+  std::int64_t Memory() const;
+
   /// Groups of triangles that all queries of this thread have looked at so far: what they cost.
   static std::int64_t GroupsLookedAt();
 

@@ -30,25 +30,6 @@ Box Enlarged(const Box& box, double by)
   return { box.Min - margin, box.Max + margin };
 }
 
-Box TriangleBounds(const TriangleMeshView& mesh, vtkIdType triangle)
-{
-  Box bounds;
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    bounds.Add(mesh.Corner(triangle, corner));
-  }
-  return bounds;
-}
-
-Box Common(const Box& a, const Box& b)
-{
-  Box box;
-  box.Min = { std::max(a.Min.X, b.Min.X), std::max(a.Min.Y, b.Min.Y), std::max(a.Min.Z, b.Min.Z) };
-  box.Max = { std::min(a.Max.X, b.Max.X), std::min(a.Max.Y, b.Max.Y), std::min(a.Max.Z, b.Max.Z) };
-  const bool empty = box.Min.X > box.Max.X || box.Min.Y > box.Max.Y || box.Min.Z > box.Max.Z;
-  return empty ? Box() : box;
-}
-
 double LongestEdge(const TriangleMeshView& mesh, vtkIdType triangle)
 {
   const Vector3 a = mesh.Corner(triangle, 0);
@@ -163,7 +144,7 @@ OccluderCells::OccluderCells(const TriangleMeshView& mesh)
   for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
   {
     triangles.push_back(t);
-    bounds.Add(TriangleBounds(mesh, t));
+    bounds.Add(mesh.BoundsOf(t));
   }
   if (!triangles.empty())
   {
@@ -184,7 +165,7 @@ int OccluderCells::Build(
   {
     if (largestRatio * LongestEdge(mesh, t) < diagonal)
     {
-      small.Add(Common(TriangleBounds(mesh, t), box));
+      small.Add(Intersection(mesh.BoundsOf(t), box));
     }
   }
   if (small.Empty() || depth >= largestDepth || this->Nodes.size() >= largestTree)
@@ -222,11 +203,11 @@ int OccluderCells::Build(
     Box tight;
     for (const vtkIdType t : triangles)
     {
-      const Box part = Common(TriangleBounds(mesh, t), wide);
+      const Box part = Intersection(mesh.BoundsOf(t), wide);
       if (!part.Empty())
       {
         inside.push_back(t);
-        tight.Add(Common(part, halves[half]));
+        tight.Add(Intersection(part, halves[half]));
       }
     }
     children[half] = tight.Empty() ? -1 : this->Build(mesh, inside, tight, depth + 1);

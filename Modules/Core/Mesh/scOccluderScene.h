@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file scOccluderScene.h
- * @brief Ray queries on a triangle mesh. Hides Embree (3 and 4), and the only place that calls it.
+ * @brief Ray queries on a triangle mesh. Hides Embree (3 and 4); nothing else calls it.
  */
 #ifndef scOccluderScene_h
 #define scOccluderScene_h
@@ -19,6 +19,8 @@
 
 namespace shadowcones
 {
+
+class LineShadows;
 
 struct RayHit
 {
@@ -79,8 +81,10 @@ public:
   const Box& Bounds() const;
   /// Cells that space is cut into: 1 but where triangles are far smaller than the whole.
   vtkIdType NumberOfCells() const;
-  /// Bytes of the search structure, without the mesh: some 200 a triangle.
+  /// Bytes of the search structures, without the mesh: some 200 a triangle, and 80 to 600 more once Lines() was asked for.
   std::int64_t Memory() const;
+  /// What the mesh hides of whole lines. Built when it is asked for first.
+  const LineShadows& Lines() const;
 
   /// What rays between a flat lamp and the points that it shines on pass by: see IsFlush(). Found once for each plane.
   RayRules RulesFor(const FlatFace& lamp) const;

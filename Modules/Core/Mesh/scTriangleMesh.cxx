@@ -22,9 +22,9 @@ Box CasterBounds(const TriangleMeshView& mesh)
   Box bounds;
   for (vtkIdType i = 0; i < mesh.NumberOfTriangles; ++i)
   {
-    for (int corner = 0; corner < 3 && mesh.OccluderId(i) >= 0; ++corner)
+    if (mesh.OccluderId(i) >= 0)
     {
-      bounds.Add(mesh.Corner(i, corner));
+      bounds.Add(mesh.BoundsOf(i));
     }
   }
   return bounds;

@@ -29,6 +29,15 @@ struct TriangleMeshView
     return { this->Points[3 * id], this->Points[3 * id + 1], this->Points[3 * id + 2] };
   }
   Vector3 Corner(vtkIdType triangle, int corner) const { return this->Point(this->Triangles[3 * triangle + corner]); }
+  Box BoundsOf(vtkIdType triangle) const
+  {
+    Box bounds;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      bounds.Add(this->Corner(triangle, corner));
+    }
+    return bounds;
+  }
   int OccluderId(vtkIdType triangle) const { return this->OccluderIds ? this->OccluderIds[triangle] : 0; }
 };
 

@@ -34,10 +34,7 @@ ShadowCasters::ShadowCasters(
       continue;
     }
     this->Order.push_back(t);
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      this->Extent.Add(mesh.Corner(t, corner));
-    }
+    this->Extent.Add(mesh.BoundsOf(t));
     const PointHull<3> hull = HullOf(mesh, t);
     this->AtLight[t] = std::any_of(light.begin(), light.end(),
       [&hull](const LightBody& body) { return !body.AtInfinity() && !AreApart(body, hull); });

@@ -83,14 +83,6 @@ std::vector<GridBlock> BlocksOf(const RegularGrid& grid)
   return all;
 }
 
-Box Intersection(const Box& a, const Box& b)
-{
-  Box box;
-  box.Min = { std::max(a.Min.X, b.Min.X), std::max(a.Min.Y, b.Min.Y), std::max(a.Min.Z, b.Min.Z) };
-  box.Max = { std::min(a.Max.X, b.Max.X), std::min(a.Max.Y, b.Max.Y), std::min(a.Max.Z, b.Max.Z) };
-  return box;
-}
-
 Box Around(const Vector3& center, const Vector3& half)
 {
   return { center - half, center + half };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,17 @@ void ExpectOne(const std::vector<RayInterval>& hidden, double begin, double end,
   EXPECT_NEAR(hidden[0].End, end, within);
 }
 } // namespace
+
+TEST(LineShadows, AreBuiltWhenTheyAreAskedForAndCounted)
+{
+  const LineUnderASheet stage;
+  const OccluderScene scene(stage.Mesh.View());
+  const std::int64_t before = scene.Memory();
+  const LineShadows& lines = scene.Lines();
+  EXPECT_EQ(scene.Memory(), before + lines.Memory());
+  EXPECT_GE(lines.Memory(), static_cast<std::int64_t>(2 * 9 * sizeof(double))); // the corners of two triangles
+  EXPECT_EQ(&scene.Lines(), &lines);
+}
 
 TEST(LineShadows, ASheetBetweenALineAndALight)
 {
