@@ -2,6 +2,7 @@
 #include "scCoarseImage.h"
 
 #include "scImageScene.h"
+#include "scParallel.h"
 #include "scScatteringOptions.h"
 
 #include <algorithm>
@@ -47,64 +48,85 @@ struct Enlarger
   std::vector<Between> Rows;
   std::size_t Stride; ///< pixels of a coarse row
 
-  std::vector<float> Linear(const std::vector<float>& coarse, std::size_t components) const
+  void Linear(int row, const PixelArray<float>& coarse, std::size_t components, PixelArray<float>& values) const
   {
-    std::vector<float> values;
-    values.reserve(this->Columns.size() * this->Rows.size() * components);
-    for (const Between& j : this->Rows)
+    const Between& j = this->Rows[static_cast<std::size_t>(row)];
+    float* value = values.data() + static_cast<std::size_t>(row) * this->Columns.size() * components;
+    for (const Between& i : this->Columns)
     {
-      for (const Between& i : this->Columns)
+      for (std::size_t c = 0; c < components; ++c)
       {
-        for (std::size_t c = 0; c < components; ++c)
-        {
-          const auto at = [&](std::size_t row, std::size_t column)
-          { return coarse[(row * this->Stride + column) * components + c]; };
-          const float below = at(j.Low, i.Low) + i.Fraction * (at(j.Low, i.High) - at(j.Low, i.Low));
-          const float above = at(j.High, i.Low) + i.Fraction * (at(j.High, i.High) - at(j.High, i.Low));
-          values.push_back(below + j.Fraction * (above - below));
-        }
+        const auto at = [&](std::size_t line, std::size_t column)
+        { return coarse[(line * this->Stride + column) * components + c]; };
+        const float below = at(j.Low, i.Low) + i.Fraction * (at(j.Low, i.High) - at(j.Low, i.Low));
+        const float above = at(j.High, i.Low) + i.Fraction * (at(j.High, i.High) - at(j.High, i.Low));
+        *value++ = below + j.Fraction * (above - below);
       }
     }
-    return values;
   }
   template <typename T>
-  std::vector<T> Nearest(const std::vector<T>& coarse) const
+  void Nearest(int row, const PixelArray<T>& coarse, PixelArray<T>& values) const
   {
     const auto nearest = [](const Between& b) { return b.Fraction < 0.5f ? b.Low : b.High; };
-    std::vector<T> values;
-    values.reserve(this->Columns.size() * this->Rows.size());
-    for (const Between& j : this->Rows)
+    const std::size_t line = nearest(this->Rows[static_cast<std::size_t>(row)]) * this->Stride;
+    T* value = values.data() + static_cast<std::size_t>(row) * this->Columns.size();
+    for (const Between& i : this->Columns)
     {
-      for (const Between& i : this->Columns)
-      {
-        values.push_back(coarse[nearest(j) * this->Stride + nearest(i)]);
-      }
+      *value++ = coarse[line + nearest(i)];
     }
-    return values;
   }
 };
 
-ScatteringImage Enlarge(const ScatteringImage& coarse, const std::array<int, 4>& extent)
+/// @return false where aborted.
+bool Enlarge(
+  const ScatteringImage& coarse, const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image)
 {
+  using Floats = PixelArray<float> ScatteringImage::*;
+  constexpr Floats spectra[] = { &ScatteringImage::Radiance, &ScatteringImage::InScattering,
+    &ScatteringImage::SurfaceRadiance, &ScatteringImage::Transmittance, &ScatteringImage::MultipleScattering,
+    &ScatteringImage::IndirectSurface };
+  constexpr Floats numbers[] = { &ScatteringImage::Depth, &ScatteringImage::RelativeError,
+    &ScatteringImage::MediumError, &ScatteringImage::SurfaceRelativeError, &ScatteringImage::PhotonError };
   const int width = coarse.Extent[1] + 1;
   const int height = coarse.Extent[3] + 1;
   const Enlarger enlarger{ PlacesAlong(extent[1] + 1, width), PlacesAlong(extent[3] + 1, height),
     static_cast<std::size_t>(width) };
   const auto wavelengths = static_cast<std::size_t>(coarse.NumberOfWavelengths);
-  ScatteringImage image = coarse;
+  const std::size_t pixels = enlarger.Columns.size() * enlarger.Rows.size();
   image.Extent = extent;
-  for (std::vector<float> ScatteringImage::*values : { &ScatteringImage::Radiance, &ScatteringImage::InScattering,
-         &ScatteringImage::SurfaceRadiance, &ScatteringImage::Transmittance,
-         &ScatteringImage::MultipleScattering, &ScatteringImage::IndirectSurface })
+  image.NumberOfWavelengths = coarse.NumberOfWavelengths;
+  image.NumberOfOcclusionRays = coarse.NumberOfOcclusionRays;
+  for (const Floats values : spectra)
   {
-    image.*values = (coarse.*values).empty() ? std::vector<float>() : enlarger.Linear(coarse.*values, wavelengths);
+    (image.*values).Resize((coarse.*values).empty() ? 0 : pixels * wavelengths);
   }
-  image.Depth = enlarger.Nearest(coarse.Depth);
-  image.RelativeError = enlarger.Nearest(coarse.RelativeError);
-  image.MediumError = enlarger.Nearest(coarse.MediumError);
-  image.SampleCount = enlarger.Nearest(coarse.SampleCount);
-  image.PhotonError = coarse.PhotonError.empty() ? std::vector<float>() : enlarger.Nearest(coarse.PhotonError);
-  return image;
+  for (const Floats values : numbers)
+  {
+    (image.*values).Resize((coarse.*values).empty() ? 0 : pixels);
+  }
+  image.SampleCount.Resize(pixels);
+  return ParallelFor(static_cast<vtkIdType>(enlarger.Rows.size()), monitor,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+      {
+        for (const Floats values : spectra)
+        {
+          if (!(image.*values).empty())
+          {
+            enlarger.Linear(row, coarse.*values, wavelengths, image.*values);
+          }
+        }
+        for (const Floats values : numbers)
+        {
+          if (!(image.*values).empty())
+          {
+            enlarger.Nearest(row, coarse.*values, image.*values);
+          }
+        }
+        enlarger.Nearest(row, coarse.SampleCount, image.SampleCount);
+      }
+    });
 }
 } // anonymous namespace
 
@@ -132,14 +154,12 @@ bool RenderCoarse(ImageScene& scene, int scale, const Monitor& monitor, Scatteri
   options.RelativeErrorGoal = std::max(whole.RelativeErrorGoal, looseGoal);
   options.NumberOfEdgeSamples = 1;
   const std::array<int, 4> extent{ 0, options.Width - 1, 0, options.Height - 1 };
+  constexpr double shareOfRendering = 0.95; // of the progress
   std::vector<ScatteringImage> images;
-  const bool done = RenderScene(scene, { extent }, monitor, images);
+  const bool done = RenderScene(scene, { extent }, monitor.Part(0.0, shareOfRendering), images);
   scene.Options = whole;
-  if (done)
-  {
-    image = Enlarge(images.front(), { 0, whole.Width - 1, 0, whole.Height - 1 });
-  }
-  return done;
+  return done &&
+    Enlarge(images.front(), { 0, whole.Width - 1, 0, whole.Height - 1 }, monitor.Part(shareOfRendering, 1.0), image);
 }
 
 } // namespace shadowcones

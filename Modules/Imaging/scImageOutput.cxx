@@ -7,6 +7,7 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -52,28 +53,41 @@ private:
   const float* Values = nullptr;
 };
 
+/// An array that has the memory of the values.
+template <typename Array, typename T>
+void Give(vtkPointData* points, const char* name, int components, PixelArray<T>& values)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  const auto count = static_cast<vtkIdType>(values.size());
+  constexpr int freedByArray = 0;
+  array->SetArray(values.Release(), count, freedByArray, Array::VTK_DATA_ARRAY_FREE);
+  points->AddArray(array);
+}
+
 void AddTriple(vtkFieldData* field, const char* name, const double* values)
 {
   AddDoubleArray(field, name, 3, { values, values + 3 });
 }
 } // anonymous namespace
 
-void WritePixels(const ScatteringImage& image, vtkPointData* points)
+void WritePixels(ScatteringImage& image, vtkPointData* points)
 {
   const int wavelengths = image.NumberOfWavelengths;
-  AddFloatArray(points, "Radiance", wavelengths, image.Radiance);
-  AddFloatArray(points, "InScattering", wavelengths, image.InScattering);
-  AddFloatArray(points, "SurfaceRadiance", wavelengths, image.SurfaceRadiance);
-  AddFloatArray(points, "Transmittance", wavelengths, image.Transmittance);
-  AddFloatArray(points, "Depth", 1, image.Depth);
-  AddFloatArray(points, "RelativeError", 1, image.RelativeError);
-  AddFloatArray(points, "SurfaceRelativeError", 1, image.SurfaceRelativeError);
-  AddIntArray(points, "SampleCount", 1, image.SampleCount);
+  Give<vtkFloatArray>(points, "Radiance", wavelengths, image.Radiance);
+  Give<vtkFloatArray>(points, "InScattering", wavelengths, image.InScattering);
+  Give<vtkFloatArray>(points, "SurfaceRadiance", wavelengths, image.SurfaceRadiance);
+  Give<vtkFloatArray>(points, "Transmittance", wavelengths, image.Transmittance);
+  Give<vtkFloatArray>(points, "Depth", 1, image.Depth);
+  Give<vtkFloatArray>(points, "RelativeError", 1, image.RelativeError);
+  Give<vtkFloatArray>(points, "SurfaceRelativeError", 1, image.SurfaceRelativeError);
+  Give<vtkIntArray>(points, "SampleCount", 1, image.SampleCount);
   if (!image.MultipleScattering.empty())
   {
-    AddFloatArray(points, "MultipleScattering", wavelengths, image.MultipleScattering);
-    AddFloatArray(points, "IndirectSurface", wavelengths, image.IndirectSurface);
-    AddFloatArray(points, "PhotonError", 1, image.PhotonError);
+    Give<vtkFloatArray>(points, "MultipleScattering", wavelengths, image.MultipleScattering);
+    Give<vtkFloatArray>(points, "IndirectSurface", wavelengths, image.IndirectSurface);
+    Give<vtkFloatArray>(points, "PhotonError", 1, image.PhotonError);
   }
 }
 
@@ -118,8 +132,7 @@ double FindExposure(vtkImageData* image, const std::vector<double>& wavelengthsI
   return ExposureOf(std::move(luminances));
 }
 
-void WriteRgb(vtkImageData* image, const std::vector<double>& wavelengthsInNm, double exposure, ToneCurve curve,
-  vtkImageData* output)
+bool WriteRgb(vtkImageData* image, const ToneMapping& mapping, const Monitor& monitor, vtkImageData* output)
 {
   const FloatValues radiance(image->GetPointData()->GetArray("Radiance"));
   const vtkIdType pixels = image->GetNumberOfPoints();
@@ -127,11 +140,15 @@ void WriteRgb(vtkImageData* image, const std::vector<double>& wavelengthsInNm, d
   rgb->SetName("RGB");
   rgb->SetNumberOfComponents(3);
   rgb->SetNumberOfTuples(pixels);
-  ToneMap(radiance.Data(), pixels, wavelengthsInNm, exposure, curve, rgb->GetPointer(0));
+  if (!ToneMap(radiance.Data(), pixels, mapping, monitor, rgb->GetPointer(0)))
+  {
+    return false;
+  }
   // SetScalars() would remove an array that is active.
   output->GetPointData()->AddArray(rgb);
   output->GetPointData()->SetActiveScalars("RGB");
-  AddDoubleArray(output->GetFieldData(), "Exposure", 1, { exposure });
+  AddDoubleArray(output->GetFieldData(), "Exposure", 1, { mapping.Exposure });
+  return true;
 }
 
 void WriteCamera(vtkCamera* camera, vtkFieldData* field)

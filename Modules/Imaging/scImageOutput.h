@@ -19,16 +19,16 @@ class vtkPointData;
 namespace shadowcones
 {
 
-/// Add every array of an image but "RGB".
-void WritePixels(const ScatteringImage& image, vtkPointData* points);
+/// Add every array of an image but "RGB": those of @p image itself, which loses them.
+void WritePixels(ScatteringImage& image, vtkPointData* points);
 /**
  * The exposure of an image that is there as a whole, from "InScattering" + "SurfaceRadiance" or, where one is missing, from
  * "Radiance"; with "MultipleScattering" + "IndirectSurface" where they are there. Slices along z count alike.
  */
 double FindExposure(vtkImageData* image, const std::vector<double>& wavelengthsInNm);
-/// Add "RGB", the active scalars, of the "Radiance" of an image to @p output, and field data "Exposure".
-void WriteRgb(vtkImageData* image, const std::vector<double>& wavelengthsInNm, double exposure, ToneCurve curve,
-  vtkImageData* output);
+/// Add "RGB", the active scalars, of the "Radiance" of an image to @p output, and field data "Exposure". @return false where
+/// aborted: nothing is added.
+bool WriteRgb(vtkImageData* image, const ToneMapping& mapping, const Monitor& monitor, vtkImageData* output);
 void WriteCamera(vtkCamera* camera, vtkFieldData* field);
 
 } // namespace shadowcones

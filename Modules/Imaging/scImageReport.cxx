@@ -36,7 +36,7 @@ PixelCounts CountPixels(const ScatteringImage& image, const ScatteringOptions& o
   {
     const auto first = static_cast<std::ptrdiff_t>(pixel * wavelengths);
     const auto last = first + static_cast<std::ptrdiff_t>(wavelengths);
-    const auto any = [first, last](const std::vector<float>& values, auto is)
+    const auto any = [first, last](const PixelArray<float>& values, auto is)
     { return std::any_of(values.begin() + first, values.begin() + last, is); };
     counts.Bright += any(image.Radiance, [](float value) { return value > 0.0f; }) ? 1 : 0;
     counts.OnSurfaces += image.Depth[pixel] >= 0.0f ? 1 : 0;

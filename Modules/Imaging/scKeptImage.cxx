@@ -48,7 +48,7 @@ bool KeptImage::HoldsPixels(const int extent[6]) const
   return this->Pixels && std::equal(extent, extent + 6, this->Pixels->GetExtent());
 }
 
-void KeptImage::KeepPixels(const ScatteringImage& image, const ImageScene& scene, const int extent[6], double seconds)
+void KeptImage::KeepPixels(ScatteringImage& image, const ImageScene& scene, const int extent[6], double seconds)
 {
   auto pixels = vtkSmartPointer<vtkImageData>::New();
   int own[6];

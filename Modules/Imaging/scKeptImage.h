@@ -39,8 +39,8 @@ struct KeptImage
   void Drop();
   bool HoldsPixels(const int extent[6]) const;
 
-  /// Keep an image of the scene, which took so long to render.
-  void KeepPixels(const ScatteringImage& image, const ImageScene& scene, const int extent[6], double seconds);
+  /// Keep the arrays of an image of the scene, which loses them and took so long to render.
+  void KeepPixels(ScatteringImage& image, const ImageScene& scene, const int extent[6], double seconds);
   /// What is still to be rendered: the extent that is asked for, then those that the exposure of the whole image is found from.
   std::vector<std::array<int, 4>> MissingExtents(
     const int extent[6], const int resolution[2], bool automaticExposure) const;

@@ -45,6 +45,11 @@ constexpr int coneSetPort = 2;
 constexpr int visibilityVolumePort = 3;
 constexpr int densityPort = 4;
 constexpr double shareOfCoarse = 0.1; // of the progress, where coarse pictures come first
+
+ToneMapping MappingBy(const std::vector<double>& wavelengths, double exposure, int curve)
+{
+  return { wavelengths, exposure, static_cast<ToneCurve>(curve) };
+}
 } // namespace
 
 vtkStandardNewMacro(vtkScatteringImageFilter);
@@ -270,7 +275,10 @@ bool vtkScatteringImageFilter::ShowCoarse(ImageScene& scene, const Monitor& moni
     WritePixels(image, picture->GetPointData());
     const std::vector<double>& wavelengths = scene.Lights.Wavelengths;
     const double exposure = this->AutoExposure ? FindExposure(picture, wavelengths) : this->Exposure;
-    WriteRgb(picture, wavelengths, exposure, static_cast<shadowcones::ToneCurve>(this->ToneCurve), picture);
+    if (!WriteRgb(picture, MappingBy(wavelengths, exposure, this->ToneCurve), { {}, monitor.Aborted }, picture))
+    {
+      return false;
+    }
     this->Picture = picture;
     this->InvokeEvent(vtkCommand::UpdateDataEvent);
   }
@@ -320,9 +328,9 @@ bool vtkScatteringImageFilter::RenderMissing(
   if (rendersPixels)
   {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    this->Kept->KeepPixels(images.front(), scene, extent, seconds.count());
     warnings = scene.Said;
     ReportImage(scene, images.front(), IsWhole(extent, this->Resolution), warnings);
+    this->Kept->KeepPixels(images.front(), scene, extent, seconds.count());
   }
   this->Kept->KeepExposure(extents, images, rendersPixels ? 1 : 0);
   return true;
@@ -364,8 +372,12 @@ int vtkScatteringImageFilter::RequestData(
     kept.Exposure = FindExposure(kept.Pixels, kept.Wavelengths);
   }
   output->ShallowCopy(kept.Pixels);
-  WriteRgb(kept.Pixels, kept.Wavelengths, this->AutoExposure ? kept.Exposure : this->Exposure,
-    static_cast<shadowcones::ToneCurve>(this->ToneCurve), output);
+  const double exposure = this->AutoExposure ? kept.Exposure : this->Exposure;
+  if (!WriteRgb(kept.Pixels, MappingBy(kept.Wavelengths, exposure, this->ToneCurve), { {}, MonitorOf(this).Aborted }, output))
+  {
+    EmptyOutput(output);
+    return 1; // aborted
+  }
   this->Picture = nullptr;
   if (this->Progressive && IsWhole(extent, this->Resolution))
   {

@@ -102,7 +102,12 @@ int vtkToneMapRadiance::RequestData(
       exposure = shadowcones::FindExposure(input, wavelengths);
     }
     output->ShallowCopy(input);
-    shadowcones::WriteRgb(input, wavelengths, exposure, static_cast<shadowcones::ToneCurve>(this->ToneCurve), output);
+    if (!shadowcones::WriteRgb(input, { wavelengths, exposure, static_cast<shadowcones::ToneCurve>(this->ToneCurve) },
+          shadowcones::MonitorOf(this), output))
+    {
+      shadowcones::EmptyOutput(output);
+      return 1; // aborted
+    }
   }
   catch (const std::exception& exception)
   {

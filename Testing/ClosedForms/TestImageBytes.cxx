@@ -53,7 +53,7 @@ int PixelsOf(const Extent& extent)
 
 /// The part of the values of @p whole that @p extent names.
 template <typename Value>
-std::vector<Value> Cut(const std::vector<Value>& values, const Extent& whole, const Extent& extent)
+std::vector<Value> Cut(const PixelArray<Value>& values, const Extent& whole, const Extent& extent)
 {
   const auto components = static_cast<std::ptrdiff_t>(values.size()) / PixelsOf(whole);
   std::vector<Value> part;

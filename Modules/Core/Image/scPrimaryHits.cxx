@@ -84,7 +84,7 @@ bool PrimaryHits::Trace(const Monitor& monitor)
 
 bool PrimaryHits::Trace(Lattice& lattice, const Monitor& monitor) const
 {
-  lattice.Hits.resize(static_cast<std::size_t>(lattice.Columns) * static_cast<std::size_t>(lattice.Rows));
+  lattice.Hits.Resize(static_cast<std::size_t>(lattice.Columns) * static_cast<std::size_t>(lattice.Rows));
   const int firstBlock[2] = { lattice.First[0] / blockWidth, lattice.First[1] / blockHeight };
   const int columns = (lattice.First[0] + lattice.Columns - 1) / blockWidth - firstBlock[0] + 1;
   const int rows = (lattice.First[1] + lattice.Rows - 1) / blockHeight - firstBlock[1] + 1;

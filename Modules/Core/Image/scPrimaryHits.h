@@ -7,6 +7,7 @@
 #define scPrimaryHits_h
 
 #include "scParallel.h"
+#include "scPixelArray.h"
 #include "scPixelRay.h"
 #include "scPrimaryHit.h"
 #include "scScatteringOptions.h"
@@ -61,7 +62,7 @@ private:
     std::array<int, 2> First{ 0, 0 };
     int Columns = 0;
     int Rows = 0;
-    std::vector<PrimaryHit> Hits;
+    PixelArray<PrimaryHit> Hits;
 
     const PrimaryHit& At(int i, int j) const
     {

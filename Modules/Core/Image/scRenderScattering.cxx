@@ -16,36 +16,63 @@
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 
 namespace shadowcones
 {
 namespace
 {
-void Allocate(const std::array<int, 4>& extent, std::size_t wavelengths, ScatteringImage& image)
+/// Before anything is found.
+void SetPixels(std::size_t begin, std::size_t end, ScatteringImage& image)
+{
+  const auto fill = [](auto& values, std::size_t from, std::size_t to, auto value)
+  { std::fill(values.begin() + from, values.begin() + to, value); };
+  const auto wavelengths = static_cast<std::size_t>(image.NumberOfWavelengths);
+  for (PixelArray<float>* values : { &image.Radiance, &image.InScattering, &image.SurfaceRadiance })
+  {
+    fill(*values, begin * wavelengths, end * wavelengths, 0.0f);
+  }
+  fill(image.Transmittance, begin * wavelengths, end * wavelengths, 1.0f);
+  fill(image.Depth, begin, end, -1.0f);
+  for (PixelArray<float>* values : { &image.RelativeError, &image.MediumError, &image.SurfaceRelativeError })
+  {
+    fill(*values, begin, end, 0.0f);
+  }
+  fill(image.SampleCount, begin, end, 0);
+}
+
+/// Arrays of the right size are there at once; all threads set their values. @return false where aborted.
+bool Allocate(
+  const std::array<int, 4>& extent, std::size_t wavelengths, const Monitor& monitor, ScatteringImage& image)
 {
   const auto columns = static_cast<std::size_t>(extent[1] - extent[0] + 1);
   const auto rows = static_cast<std::size_t>(extent[3] - extent[2] + 1);
   const std::size_t pixels = columns * rows;
   image.Extent = extent;
   image.NumberOfWavelengths = static_cast<int>(wavelengths);
-  image.Radiance.assign(pixels * wavelengths, 0.0f);
-  image.InScattering.assign(pixels * wavelengths, 0.0f);
-  image.SurfaceRadiance.assign(pixels * wavelengths, 0.0f);
-  image.Transmittance.assign(pixels * wavelengths, 1.0f);
-  image.Depth.assign(pixels, -1.0f);
-  image.RelativeError.assign(pixels, 0.0f);
-  image.MediumError.assign(pixels, 0.0f);
-  image.SampleCount.assign(pixels, 0);
-  image.SurfaceRelativeError.assign(pixels, 0.0f);
-  image.MultipleScattering.clear();
-  image.IndirectSurface.clear();
-  image.PhotonError.clear();
+  for (PixelArray<float>* values :
+    { &image.Radiance, &image.InScattering, &image.SurfaceRadiance, &image.Transmittance })
+  {
+    values->Resize(pixels * wavelengths);
+  }
+  for (PixelArray<float>* values :
+    { &image.Depth, &image.RelativeError, &image.MediumError, &image.SurfaceRelativeError })
+  {
+    values->Resize(pixels);
+  }
+  image.SampleCount.Resize(pixels);
+  for (PixelArray<float>* values : { &image.MultipleScattering, &image.IndirectSurface, &image.PhotonError })
+  {
+    values->Resize(0);
+  }
   image.NumberOfOcclusionRays = 0;
   image.NumberOfShadowLines = 0;
   image.NumberOfThickRays = 0;
   image.MarchOpticalDepth = 0.0;
   image.NumberOfShortPixels = 0;
   image.WorstSurfaceError = 0.0;
+  return ParallelFor(static_cast<vtkIdType>(pixels), monitor, [&image](vtkIdType begin, vtkIdType end)
+    { SetPixels(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), image); });
 }
 
 /// One a light; none where the camera is not to see them.
@@ -85,58 +112,77 @@ std::vector<ScatteringScene> WithPlainMedia(const std::vector<ScatteringScene>& 
   return plain;
 }
 
-/// Adds up the medium terms of lights.
+/// Adds up the medium terms of lights, of which there is one at least.
 class MediumSum
 {
 public:
-  void Add(const ScatteringImage& term)
+  /// @return false where aborted.
+  bool Add(const ScatteringImage& term, const Monitor& monitor)
   {
     const std::size_t pixels = term.RelativeError.size();
     const auto wavelengths = static_cast<std::size_t>(term.NumberOfWavelengths);
-    this->InScattering.resize(pixels * wavelengths, 0.0);
-    this->Errors.resize(pixels, 0.0);
-    this->Samples.resize(pixels, 0);
-    std::transform(this->InScattering.begin(), this->InScattering.end(), term.InScattering.begin(),
-      this->InScattering.begin(), [](double sum, float value) { return sum + value; });
-    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
-    {
-      const double error = term.MediumError[pixel];
-      this->Errors[pixel] = error < 0.0 ? HUGE_VAL : this->Errors[pixel] + error;
-      this->Samples[pixel] += term.SampleCount[pixel];
-    }
+    const bool first = std::exchange(this->IsEmpty, false);
+    this->InScattering.Resize(pixels * wavelengths);
+    this->Errors.Resize(pixels);
+    this->Samples.Resize(pixels);
     this->OcclusionRays += term.NumberOfOcclusionRays;
     this->ShadowLines += term.NumberOfShadowLines;
     this->ThickRays += term.NumberOfThickRays;
     this->OpticalDepth = std::max(this->OpticalDepth, term.MarchOpticalDepth);
+    return ParallelFor(static_cast<vtkIdType>(pixels), monitor,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (auto pixel = static_cast<std::size_t>(begin); pixel < static_cast<std::size_t>(end); ++pixel)
+        {
+          for (std::size_t k = pixel * wavelengths; k < (pixel + 1) * wavelengths; ++k)
+          {
+            this->InScattering[k] = (first ? 0.0 : this->InScattering[k]) + term.InScattering[k];
+          }
+          const double error = term.MediumError[pixel];
+          this->Errors[pixel] = error < 0.0 ? HUGE_VAL : (first ? 0.0 : this->Errors[pixel]) + error;
+          this->Samples[pixel] = (first ? 0 : this->Samples[pixel]) + term.SampleCount[pixel];
+        }
+      });
   }
 
-  void Write(ScatteringImage& image) const
+  /// @return false where aborted.
+  bool Write(const Monitor& monitor, ScatteringImage& image) const
   {
-    const auto wavelengths = static_cast<std::size_t>(image.NumberOfWavelengths);
-    std::copy(this->Samples.begin(), this->Samples.end(), image.SampleCount.begin());
-    for (std::size_t pixel = 0; pixel < this->Errors.size(); ++pixel)
-    {
-      double mean = 0.0;
-      for (std::size_t k = pixel * wavelengths; k < (pixel + 1) * wavelengths; ++k)
-      {
-        image.InScattering[k] = static_cast<float>(this->InScattering[k]);
-        mean += this->InScattering[k] / static_cast<double>(wavelengths);
-      }
-      const double error = this->Errors[pixel];
-      const double relative = mean > 0.0 ? error / mean : (error > 0.0 ? 1.0 : 0.0);
-      image.RelativeError[pixel] = error == HUGE_VAL ? -1.0f : static_cast<float>(relative);
-      image.MediumError[pixel] = error == HUGE_VAL ? -1.0f : static_cast<float>(error);
-    }
     image.NumberOfOcclusionRays += this->OcclusionRays;
     image.NumberOfShadowLines += this->ShadowLines;
     image.NumberOfThickRays += this->ThickRays;
     image.MarchOpticalDepth = std::max(image.MarchOpticalDepth, this->OpticalDepth);
+    return ParallelFor(static_cast<vtkIdType>(this->Errors.size()), monitor,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (auto pixel = static_cast<std::size_t>(begin); pixel < static_cast<std::size_t>(end); ++pixel)
+        {
+          this->WritePixel(pixel, image);
+        }
+      });
   }
 
 private:
-  std::vector<double> InScattering;
-  std::vector<double> Errors; ///< of means over wavelengths; HUGE_VAL: not known
-  std::vector<int> Samples;
+  void WritePixel(std::size_t pixel, ScatteringImage& image) const
+  {
+    const auto wavelengths = static_cast<std::size_t>(image.NumberOfWavelengths);
+    image.SampleCount[pixel] = this->Samples[pixel];
+    double mean = 0.0;
+    for (std::size_t k = pixel * wavelengths; k < (pixel + 1) * wavelengths; ++k)
+    {
+      image.InScattering[k] = static_cast<float>(this->InScattering[k]);
+      mean += this->InScattering[k] / static_cast<double>(wavelengths);
+    }
+    const double error = this->Errors[pixel];
+    const double relative = mean > 0.0 ? error / mean : (error > 0.0 ? 1.0 : 0.0);
+    image.RelativeError[pixel] = error == HUGE_VAL ? -1.0f : static_cast<float>(relative);
+    image.MediumError[pixel] = error == HUGE_VAL ? -1.0f : static_cast<float>(error);
+  }
+
+  bool IsEmpty = true;
+  PixelArray<double> InScattering;
+  PixelArray<double> Errors; ///< of means over wavelengths; HUGE_VAL: not known
+  PixelArray<int> Samples;
   vtkIdType OcclusionRays = 0;
   vtkIdType ShadowLines = 0;
   vtkIdType ThickRays = 0; ///< summed over lights
@@ -244,21 +290,22 @@ bool ImageRenderer::RenderMedia(const PrimaryHits& hits, const Monitor& monitor,
   {
     return this->RenderMedium(0, hits, monitor, image);
   }
+  constexpr double shareOfSetting = 0.03; // of a light's progress, and adding as much
   MediumSum sum;
   ScatteringImage term;
   const auto count = static_cast<double>(this->Scenes.size());
   for (std::size_t light = 0; light < this->Scenes.size(); ++light)
   {
-    Allocate(image.Extent, this->Scenes[light].Light.Spectrum.size(), term);
     const auto done = static_cast<double>(light);
-    if (!this->RenderMedium(light, hits, monitor.Part(done / count, (done + 1.0) / count), term))
+    const Monitor part = monitor.Part(done / (count + shareOfSetting), (done + 1.0) / (count + shareOfSetting));
+    if (!Allocate(image.Extent, this->Scenes[light].Light.Spectrum.size(), part.Part(0.0, shareOfSetting), term) ||
+      !this->RenderMedium(light, hits, part.Part(shareOfSetting, 1.0 - shareOfSetting), term) ||
+      !sum.Add(term, part.Part(1.0 - shareOfSetting, 1.0)))
     {
       return false;
     }
-    sum.Add(term);
   }
-  sum.Write(image);
-  return true;
+  return sum.Write(monitor.Part(count / (count + shareOfSetting), 1.0), image);
 }
 
 /// Surfaces, what is seen of the lights, and the sum of all.
@@ -292,9 +339,9 @@ bool ImageRenderer::AddIndirect(const PrimaryHits& hits, const Monitor& monitor,
   {
     return true;
   }
-  image.MultipleScattering.assign(image.Radiance.size(), 0.0f);
-  image.IndirectSurface.assign(image.Radiance.size(), 0.0f);
-  image.PhotonError.assign(image.Depth.size(), 0.0f);
+  image.MultipleScattering.Resize(image.Radiance.size());
+  image.IndirectSurface.Resize(image.Radiance.size());
+  image.PhotonError.Resize(image.Depth.size());
   const int columns = image.Extent[1] - image.Extent[0] + 1;
   return ParallelFor(static_cast<vtkIdType>(image.Depth.size()), monitor,
     [&](vtkIdType begin, vtkIdType end)
@@ -310,10 +357,10 @@ bool ImageRenderer::AddIndirect(const PrimaryHits& hits, const Monitor& monitor,
 
 bool ImageRenderer::Render(const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image) const
 {
-  Allocate(extent, this->Scenes.front().Light.Spectrum.size(), image);
   const double shaded = this->Scenes.front().Photons ? 0.85 : 1.0;
   PrimaryHits hits(this->Scenes.front(), this->Options, extent, this->Visible);
-  return hits.Trace(monitor.Part(0.0, 0.05)) && this->RenderMedia(hits, monitor.Part(0.05, 0.8), image) &&
+  return Allocate(extent, this->Scenes.front().Light.Spectrum.size(), monitor.Part(0.0, 0.01), image) &&
+    hits.Trace(monitor.Part(0.01, 0.05)) && this->RenderMedia(hits, monitor.Part(0.05, 0.8), image) &&
     this->Shade(hits, monitor.Part(0.8, shaded), image) && this->AddIndirect(hits, monitor.Part(shaded, 1.0), image);
 }
 

@@ -6,11 +6,11 @@
 #ifndef scScatteringImage_h
 #define scScatteringImage_h
 
+#include "scPixelArray.h"
 #include "vtkType.h"
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace shadowcones
 {
@@ -24,19 +24,19 @@ struct ScatteringImage
 {
   std::array<int, 4> Extent{ { 0, -1, 0, -1 } }; ///< pixels of the whole image: i from, to, j from, to (inclusive)
   int NumberOfWavelengths = 0;
-  std::vector<float> Radiance;        ///< per wavelength: InScattering + SurfaceRadiance (+ the light where seen)
-  std::vector<float> InScattering;    ///< per wavelength: the medium term alone, W m^-2 sr^-1
-  std::vector<float> SurfaceRadiance; ///< per wavelength: as seen through the medium
-  std::vector<float> Transmittance;   ///< per wavelength: to the first surface, or through the medium
-  std::vector<float> Depth;           ///< to the first surface; -1 where there is none
-  std::vector<float> RelativeError;   ///< one standard error of InScattering over its value (mean over wavelengths); -1: not known
-  std::vector<float> MediumError;     ///< the same, not over its value, which may be 0; -1: not known
-  std::vector<int> SampleCount;       ///< light samples taken for the medium term
+  PixelArray<float> Radiance;        ///< per wavelength: InScattering + SurfaceRadiance (+ the light where seen)
+  PixelArray<float> InScattering;    ///< per wavelength: the medium term alone, W m^-2 sr^-1
+  PixelArray<float> SurfaceRadiance; ///< per wavelength: as seen through the medium
+  PixelArray<float> Transmittance;   ///< per wavelength: to the first surface, or through the medium
+  PixelArray<float> Depth;           ///< to the first surface; -1 where there is none
+  PixelArray<float> RelativeError;   ///< one standard error of InScattering over its value (mean over wavelengths); -1: not known
+  PixelArray<float> MediumError;     ///< the same, not over its value, which may be 0; -1: not known
+  PixelArray<int> SampleCount;       ///< light samples taken for the medium term
   /// Only with photon maps, else empty: light that took more than one scattering or reflection, parts of Radiance too.
-  std::vector<float> MultipleScattering; ///< per wavelength: scattered towards the camera by the medium
-  std::vector<float> IndirectSurface;    ///< per wavelength: reflected by the first surface, as seen through the medium
-  std::vector<float> PhotonError; ///< one standard error of both over their sum, mean over wavelengths, of the noise alone
-  std::vector<float> SurfaceRelativeError; ///< one standard error of SurfaceRadiance over its value; -1: not known
+  PixelArray<float> MultipleScattering; ///< per wavelength: scattered towards the camera by the medium
+  PixelArray<float> IndirectSurface;    ///< per wavelength: reflected by the first surface, as seen through the medium
+  PixelArray<float> PhotonError; ///< one standard error of both over their sum, mean over wavelengths, of the noise alone
+  PixelArray<float> SurfaceRelativeError; ///< one standard error of SurfaceRadiance over its value; -1: not known
   vtkIdType NumberOfOcclusionRays = 0; ///< rays towards the light, medium and surfaces together
   /// Guided: whole lines whose shadow was found at once; 0: rays were cheaper. Each counts as 16 samples and rays.
   vtkIdType NumberOfShadowLines = 0;

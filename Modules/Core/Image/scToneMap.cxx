@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scToneMap.h"
 
-#include "vtkSMPTools.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -143,12 +141,12 @@ double ApplyToneCurve(ToneCurve curve, double linear)
   return std::min(linear * (2.51 * linear + 0.03) / (linear * (2.43 * linear + 0.59) + 0.14), 1.0);
 }
 
-void ToneMap(const float* radiance, vtkIdType numberOfPixels, const std::vector<double>& wavelengths, double exposure,
-  ToneCurve curve, unsigned char* rgb)
+bool ToneMap(const float* radiance, vtkIdType numberOfPixels, const ToneMapping& mapping, const Monitor& monitor,
+  unsigned char* rgb)
 {
-  const auto matrix = SpectrumToLinearSrgb(wavelengths);
-  const std::size_t count = wavelengths.size();
-  vtkSMPTools::For(0, numberOfPixels,
+  const auto matrix = SpectrumToLinearSrgb(mapping.Wavelengths);
+  const std::size_t count = mapping.Wavelengths.size();
+  return ParallelFor(numberOfPixels, monitor,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -161,7 +159,7 @@ void ToneMap(const float* radiance, vtkIdType numberOfPixels, const std::vector<
           {
             linear += matrix[c][k] * spectrum[k];
           }
-          rgb[3 * i + c] = EncodeSrgb(ApplyToneCurve(curve, exposure * linear));
+          rgb[3 * i + c] = EncodeSrgb(ApplyToneCurve(mapping.Curve, mapping.Exposure * linear));
         }
       }
     });

@@ -7,6 +7,7 @@
 #define scToneMap_h
 
 #include "ShadowConesCoreModule.h"
+#include "scParallel.h"
 #include "scSpectrum.h"
 #include "vtkType.h"
 
@@ -51,12 +52,20 @@ enum class ToneCurve : int
 /// The curve at a value; 0 up to 0, 1 from white on.
 SHADOWCONESCORE_EXPORT double ApplyToneCurve(ToneCurve curve, double linear);
 
+/// How radiance is shown.
+struct ToneMapping
+{
+  std::vector<double> Wavelengths; ///< nm
+  double Exposure = 1.0;
+  ToneCurve Curve = ToneCurve::Linear;
+};
+
 /**
  * Bytes (red, green, blue a pixel) of the curve of exposure * radiance as sRGB. @p radiance has one value a wavelength of
- * each pixel.
+ * each pixel. @return false where aborted.
  */
-SHADOWCONESCORE_EXPORT void ToneMap(const float* radiance, vtkIdType numberOfPixels,
-  const std::vector<double>& wavelengths, double exposure, ToneCurve curve, unsigned char* rgb);
+SHADOWCONESCORE_EXPORT bool ToneMap(const float* radiance, vtkIdType numberOfPixels, const ToneMapping& mapping,
+  const Monitor& monitor, unsigned char* rgb);
 
 } // namespace shadowcones
 

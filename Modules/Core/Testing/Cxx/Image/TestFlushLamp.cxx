@@ -79,7 +79,7 @@ double InScattering(bool ceiling, ScatteringMode mode, double below)
   options.NumberOfSteps = 256;
   ScatteringImage image;
   EXPECT_TRUE(RenderScattering({ scene, lamp, fog, camera }, options, {}, image));
-  return image.InScattering.at(0);
+  return image.InScattering.front();
 }
 
 } // namespace

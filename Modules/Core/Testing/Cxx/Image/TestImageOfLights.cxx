@@ -109,7 +109,7 @@ std::vector<Light> Lamps()
     Coloured(SphereLight({ 1.1, 2.6, -0.4 }, 0.2), 2.0), Coloured(SunLight({ 0.3, -1.0, 0.1 }, 0.02), 0.1) };
 }
 
-double Mean(const std::vector<float>& values, std::size_t pixel)
+double Mean(const PixelArray<float>& values, std::size_t pixel)
 {
   double sum = 0.0;
   for (std::size_t k = 0; k < 7; ++k)
@@ -119,12 +119,12 @@ double Mean(const std::vector<float>& values, std::size_t pixel)
   return sum;
 }
 
-void ExpectSum(const std::vector<float>& all, const std::vector<const std::vector<float>*>& parts)
+void ExpectSum(const PixelArray<float>& all, const std::vector<const PixelArray<float>*>& parts)
 {
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     double sum = 0.0;
-    for (const std::vector<float>* part : parts)
+    for (const PixelArray<float>* part : parts)
     {
       sum += (*part)[i];
     }

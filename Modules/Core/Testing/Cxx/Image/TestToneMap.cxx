@@ -132,7 +132,7 @@ TEST(ToneMap, BytesAreThoseOfSrgb)
   // By the curve of IEC 61966-2-1: 0.5 is 187.5 of 255, 0.18 is 117.6, 0.002 is 6.6.
   const std::vector<float> radiance{ 0.25f, 0.25f, 0.09f, 0.09f, 0.001f, 0.001f, 0.5f, 0.5f, 7.0f, 7.0f, -1.0f, -1.0f };
   std::vector<unsigned char> rgb(18);
-  ToneMap(radiance.data(), 6, { 450.0, 600.0 }, 2.0, ToneCurve::Linear, rgb.data());
+  EXPECT_TRUE(ToneMap(radiance.data(), 6, { { 450.0, 600.0 }, 2.0, ToneCurve::Linear }, {}, rgb.data()));
   const unsigned char expected[6] = { 188, 118, 7, 255, 255, 0 };
   for (int i = 0; i < 18; ++i)
   {
