@@ -2,12 +2,14 @@
 #include "scPreparedInputs.h"
 
 #include "scDensityData.h"
+#include "scFingerprint.h"
 #include "scFingerprints.h"
 #include "scScatteringScene.h"
 #include "scVisibilityData.h"
 
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <utility>
@@ -102,6 +104,19 @@ std::shared_ptr<const PreparedReflectance> PrepareReflectance(
         PreparedKey(PreparedKind::Reflectance).Add(mesh.Id).Add(std::uint64_t{ wavelengths }).Add(missing), make);
 }
 
+std::shared_ptr<const PreparedNormals> PrepareNormals(PreparedUser& user, const PreparedMesh& mesh, std::string& error)
+{
+  bool read = true;
+  auto kept = user.Get<PreparedNormals>(PreparedKey(PreparedKind::Normals).Add(mesh.Id),
+    [&]() -> std::shared_ptr<const PreparedNormals>
+    {
+      auto made = std::make_shared<PreparedNormals>();
+      read = ReadPointNormals(mesh.Mesh, made->Normals, error);
+      return read && !made->Normals.empty() ? made : nullptr;
+    });
+  return kept || !read ? kept : std::make_shared<const PreparedNormals>();
+}
+
 std::int64_t PreparedCones::Memory() const
 {
   std::int64_t bytes = 0;
@@ -125,6 +140,35 @@ std::shared_ptr<const PreparedCones> PrepareCones(PreparedUser& user, const std:
       }
       return made;
     });
+}
+
+std::shared_ptr<const PreparedProof> PrepareProof(PreparedUser& user, const ConeSetOfInput& cones,
+  const PreparedMesh& mesh, const std::vector<Light>& lights, const std::vector<InputStamp>& lightStamps)
+{
+  const auto make = [&]
+  {
+    auto made = std::make_shared<PreparedProof>();
+    made->Proved = AreProved(cones.Data, cones.Cones, mesh.Mesh, lights, cones.Input, made->Changed);
+    return made;
+  };
+  if (!cones.Data->GetFieldData()->HasArray("Certified"))
+  {
+    return make();
+  }
+  // Cones are few beside triangles: they are looked at each time, whatever their stamp says.
+  Fingerprint fingerprint;
+  for (const Cone& cone : cones.Cones)
+  {
+    for (const Vector3& v : { cone.Center, cone.Axis, Vector3{ cone.BaseRadius, cone.HalfAngle, 1.0 * cone.LightId } })
+    {
+      fingerprint.AddNumber(v.X);
+      fingerprint.AddNumber(v.Y);
+      fingerprint.AddNumber(v.Z);
+    }
+  }
+  PreparedKey key(PreparedKind::Proof);
+  key.Add(StampOf(cones.Data)).Add(fingerprint.Value()).Add(mesh.Id).Add(lightStamps);
+  return user.Get<PreparedProof>(key, make);
 }
 
 void PreparedGrids::LayOut()

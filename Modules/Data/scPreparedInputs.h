@@ -23,11 +23,20 @@
 class vtkDataArray;
 class vtkDataObject;
 class vtkImageData;
+class vtkPolyData;
 
 namespace shadowcones
 {
 
 class VisibilityGridSampler;
+
+/// Cones as they were read, before AssignCones(), and the input that they are from, as "The cone set on input port 1".
+struct ConeSetOfInput
+{
+  vtkPolyData* Data;
+  const std::vector<Cone>& Cones;
+  const char* Input;
+};
 
 struct SHADOWCONESDATA_EXPORT PreparedMesh : PreparedItem
 {
@@ -71,6 +80,17 @@ struct SHADOWCONESDATA_EXPORT PreparedReflectance : PreparedItem
 SHADOWCONESDATA_EXPORT std::shared_ptr<const PreparedReflectance> PrepareReflectance(
   PreparedUser& user, const PreparedMesh& mesh, std::size_t wavelengths, double missing, std::string& error);
 
+struct SHADOWCONESDATA_EXPORT PreparedNormals : PreparedItem
+{
+  std::vector<float> Normals; ///< empty: the mesh has none
+
+  std::int64_t Memory() const override { return MemoryOf(this->Normals); }
+};
+
+/// ReadPointNormals() of a prepared mesh, whose input is there. @return nullptr, with a sentence in @p error.
+SHADOWCONESDATA_EXPORT std::shared_ptr<const PreparedNormals> PrepareNormals(
+  PreparedUser& user, const PreparedMesh& mesh, std::string& error);
+
 struct SHADOWCONESDATA_EXPORT PreparedCones : PreparedItem
 {
   std::vector<std::unique_ptr<const ConeHierarchy>> OfLights;
@@ -82,6 +102,19 @@ struct SHADOWCONESDATA_EXPORT PreparedCones : PreparedItem
 SHADOWCONESDATA_EXPORT std::shared_ptr<const PreparedCones> PrepareCones(PreparedUser& user,
   const std::vector<InputStamp>& stamps, const std::vector<std::vector<Cone>>& conesOf, const Box& bounds,
   double length);
+
+struct SHADOWCONESDATA_EXPORT PreparedProof : PreparedItem
+{
+  bool Proved = false;
+  std::string Changed; ///< a sentence, where the certificate is one of other cones
+
+  std::int64_t Memory() const override { return static_cast<std::int64_t>(sizeof(*this) + this->Changed.capacity()); }
+};
+
+/// AreProved() of cones that were read from a cone set, for a prepared mesh and lights that have these stamps.
+SHADOWCONESDATA_EXPORT std::shared_ptr<const PreparedProof> PrepareProof(PreparedUser& user,
+  const ConeSetOfInput& cones, const PreparedMesh& mesh, const std::vector<Light>& lights,
+  const std::vector<InputStamp>& lightStamps);
 
 /// A grid for each light, laid out for the camera's rays.
 struct SHADOWCONESDATA_EXPORT PreparedGrids : PreparedItem

@@ -34,7 +34,9 @@ enum class PreparedKind : std::uint64_t
   Casters,
   Occluders,
   Reflectance,
+  Normals,
   Cones,
+  Proof,
   Grids,
   SoftGrids,
   Density

@@ -186,9 +186,10 @@ bool vtkConeSetProbe::ReadInputs(
   const std::size_t lights = in.Lights.Lights.size();
   if (coneInput && exact)
   {
-    std::string changed;
-    in.Proved = AreProved(coneInput, in.Cones, in.Mesh->Mesh, in.Lights.Lights, "The cone set on input port 1", changed);
-    in.Said.Add(changed);
+    const auto proof = PrepareProof(*this->Prepared, { coneInput, in.Cones, "The cone set on input port 1" }, *in.Mesh,
+      in.Lights.Lights, StampsOf(inputVector + lightPort, 1));
+    in.Proved = proof->Proved;
+    in.Said.Add(proof->Changed);
   }
   if (coneInput)
   {

@@ -106,12 +106,11 @@ bool FillSoftGrids(const std::vector<std::vector<Cone>>& conesOf, const Monitor&
 /// Do the certificate's cones, as they were read, stand for this scene, and where?
 void ReadProof(const ImageInputs& inputs, ImageScene& scene)
 {
-  std::string changed;
   scene.CertifiedBounds = ReadCertifiedBounds(inputs.Cones->GetFieldData());
-  scene.ConesProved = AreProved(
-    inputs.Cones, scene.Cones, scene.Mesh->Mesh, scene.Lights.Lights, "The cone set on input port 2", changed);
-  scene.Said.Add(changed);
-  scene.ConesProved = scene.ConesProved && scene.ConeLength == 0.0;
+  const auto proof = PrepareProof(scene.Prepared, { inputs.Cones, scene.Cones, "The cone set on input port 2" },
+    *scene.Mesh, scene.Lights.Lights, scene.LightStamps);
+  scene.Said.Add(proof->Changed);
+  scene.ConesProved = proof->Proved && scene.ConeLength == 0.0;
 }
 } // anonymous namespace
 
@@ -182,11 +181,14 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
     scene.Options.SurfaceReflectance = reflectance->Reflectance.Values;
   }
 
-  if (!ReadPointNormals(scene.Mesh->Mesh, scene.Options.SurfaceNormals, error))
+  const std::shared_ptr<const PreparedNormals> normals = PrepareNormals(scene.Prepared, *scene.Mesh, error);
+  if (!normals)
   {
     return false;
   }
+  scene.Options.SurfaceNormals = normals->Normals;
 
+  scene.LightStamps = StampsOf(&inputs.Lights, 1);
   scene.HasCones = inputs.Cones && mode != ScatteringMode::BruteForce;
   if (scene.HasCones && !ReadConeSet(inputs.Cones, scene.Cones, error))
   {
@@ -205,7 +207,6 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
   {
     AssignCones(inputs.Cones, scene.Lights, scene.Cones);
   }
-  scene.LightStamps = StampsOf(&inputs.Lights, 1);
   scene.ConeStamps = { StampOf(inputs.Cones) };
   scene.ConeStamps.insert(scene.ConeStamps.end(), scene.LightStamps.begin(), scene.LightStamps.end());
   if (mode == ScatteringMode::Volume)

@@ -177,9 +177,10 @@ bool vtkVisibilityVolume::ReadInputs(vtkInformationVector** inputs, Scene& scene
   scene.Mesh = PrepareCasters(*this->Prepared, scene.Mesh);
   if (cones && this->Method == Exact)
   {
-    std::string changed;
-    scene.Proved = AreProved(cones, scene.Cones, scene.Mesh->Mesh, scene.Lights.Lights, "The cone set on input port 0", changed);
-    scene.Said.Add(changed);
+    const auto proof = PrepareProof(*this->Prepared, { cones, scene.Cones, "The cone set on input port 0" }, *scene.Mesh,
+      scene.Lights.Lights, StampsOf(inputs + lightPort, 1));
+    scene.Proved = proof->Proved;
+    scene.Said.Add(proof->Changed);
   }
   if (this->Method == Soft)
   {

@@ -3,6 +3,7 @@
 #include "vtkScatteringImageFilter.h"
 
 #include "ImageTesting.h"
+#include "ProvedCones.h"
 
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
@@ -10,6 +11,7 @@
 #include "vtkPoints.h"
 
 #include <functional>
+#include <vector>
 
 using namespace imagetesting;
 
@@ -139,6 +141,46 @@ TEST_F(PreparedImage, IsSharedWhereAScriptHandsItOn)
   Messages said(other);
   other->SetPreparedScene(this->Light);
   EXPECT_SAYS(said.Errors, "is no prepared scene");
+}
+
+TEST_F(PreparedImage, NormalsAreReadOnce)
+{
+  this->Filter->Update();
+  const auto values = static_cast<std::size_t>(3 * this->Mesh->GetNumberOfPoints());
+  for (const float tilt : { 1.0f, 0.5f })
+  {
+    std::vector<float> normals(values, 1.0f);
+    for (std::size_t k = 0; k < values; k += 3)
+    {
+      normals[k] = tilt;
+    }
+    EXPECT_GT(this->BuildsOf([&] { shadowcones::AddFloatArray(this->Mesh->GetPointData(), "Normals", 3, normals); }), 0);
+    EXPECT_EQ(this->BuildsOf([this] { this->Camera->Azimuth(1.0); }), 0);
+    const auto image = this->Image();
+    ExpectSameBytes(image, this->Unprepared());
+  }
+}
+
+TEST_F(PreparedImage, ACertificateIsCheckedOnceForEachOfItsInputs)
+{
+  this->Filter->SetModeToGuided();
+  const auto cones = ProvedConesOf(this->Mesh, this->Light);
+  this->Filter->SetConeSetData(cones);
+  const auto isCertified = [this] { return Field(this->Filter->GetOutput(), "Certified") == 1.0; };
+  this->Filter->Update();
+  EXPECT_TRUE(isCertified());
+  EXPECT_EQ(this->BuildsOf([this] { this->Camera->Azimuth(1.0); }), 0);
+  EXPECT_TRUE(isCertified());
+  EXPECT_EQ(this->BuildsOf(
+              [&cones]
+              {
+                cones->GetPointData()->GetArray("HalfAngle")->SetComponent(0, 0, 0.1);
+                cones->Modified();
+              }),
+    2); // the certificate, and the cones' tree
+  EXPECT_FALSE(isCertified());
+  EXPECT_EQ(this->BuildsOf([this] { this->Camera->Azimuth(1.0); }), 0);
+  EXPECT_FALSE(isCertified()) << "and it is said again";
 }
 
 TEST_F(PreparedImage, AVolumeWithOtherSamplesKeepsItsTree)
