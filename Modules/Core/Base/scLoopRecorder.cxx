@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -177,6 +179,132 @@ private:
   double MeanFirst = 0.0; ///< seconds of items with the preparation of their group
   double MeanOther = 0.0;
 };
+
+/// Threads that take blocks of items and help with the loops inside of them once there are no more. Help is shared out evenly,
+/// and no loop ends before its longest item could.
+class NestedReplay
+{
+public:
+  NestedReplay(const LoopRecorder::Loop& loop, int threads, double overhead)
+    : Loop(loop)
+    , Threads(threads)
+    , Overhead(overhead)
+  {
+  }
+
+  double Run()
+  {
+    std::vector<Block> running;
+    std::vector<FinishedBlock> last(static_cast<std::size_t>(this->Threads));
+    std::vector<std::size_t> idle;
+    for (std::size_t thread = last.size(); thread-- > 0;)
+    {
+      idle.push_back(thread);
+    }
+    double now = 0.0;
+    for (;;)
+    {
+      while (!idle.empty() && this->Next < this->Count())
+      {
+        running.push_back(this->Take(idle.back(), last[idle.back()], now));
+        idle.pop_back();
+      }
+      if (running.empty())
+      {
+        return now;
+      }
+      double step = HUGE_VAL;
+      const std::vector<double> rates = RatesOf(running, static_cast<double>(idle.size()));
+      for (std::size_t k = 0; k < running.size(); ++k)
+      {
+        step = std::min(step, running[k].Left() / rates[k]);
+      }
+      now += step;
+      for (std::size_t k = running.size(); k-- > 0;)
+      {
+        if (running[k].Advance(step * rates[k]))
+        {
+          last[running[k].Thread] = { running[k].Items, now - running[k].Begin };
+          idle.push_back(running[k].Thread);
+          running.erase(running.begin() + static_cast<std::ptrdiff_t>(k));
+        }
+      }
+    }
+  }
+
+private:
+  /// Work that so many threads can share at most.
+  struct Segment
+  {
+    double Seconds;
+    double Most;
+  };
+  struct Block
+  {
+    std::size_t Thread = 0;
+    vtkIdType Items = 0;
+    double Begin = 0.0;
+    std::vector<Segment> Segments;
+    std::size_t At = 0;
+
+    double Left() const { return this->Segments[this->At].Seconds; }
+    double Most() const { return this->Segments[this->At].Most; }
+    /// @return is it done?
+    bool Advance(double work)
+    {
+      constexpr double nothing = 1e-12;
+      this->Segments[this->At].Seconds -= work;
+      while (this->At < this->Segments.size() && this->Segments[this->At].Seconds <= nothing)
+      {
+        this->At += 1;
+      }
+      return this->At == this->Segments.size();
+    }
+  };
+
+  vtkIdType Count() const { return static_cast<vtkIdType>(this->Loop.Items.size()); }
+
+  Block Take(std::size_t thread, const FinishedBlock& last, double now)
+  {
+    Block block;
+    block.Thread = thread;
+    block.Items = NextBlockSize(this->Count() - this->Next, this->Threads, last);
+    block.Begin = now;
+    block.Segments.push_back({ this->Overhead, 1.0 });
+    for (vtkIdType item = this->Next; item < this->Next + block.Items; ++item)
+    {
+      double alone = this->Loop.Items[static_cast<std::size_t>(item)];
+      for (const LoopRecorder::Loop& inner : this->Loop.Inner[static_cast<std::size_t>(item)])
+      {
+        const double work = std::accumulate(inner.Items.begin(), inner.Items.end(), 0.0);
+        const double longest = *std::max_element(inner.Items.begin(), inner.Items.end());
+        block.Segments.push_back({ inner.Before, 1.0 });
+        block.Segments.push_back({ work, work / std::max(longest, 1e-9) });
+        alone -= inner.Before + work;
+      }
+      block.Segments.push_back({ std::max(0.0, alone), 1.0 });
+    }
+    this->Next += block.Items;
+    return block;
+  }
+
+  /// Threads that are at each block: its own, and its share of those that help.
+  static std::vector<double> RatesOf(const std::vector<Block>& running, double helpers)
+  {
+    std::vector<double> rates(running.size(), 1.0);
+    const auto open = std::count_if(running.begin(), running.end(), [](const Block& b) { return b.Most() > 1.0; });
+    for (std::size_t k = 0; k < running.size() && open > 0; ++k)
+    {
+      rates[k] = std::clamp(1.0 + helpers / static_cast<double>(open), 1.0, std::max(1.0, running[k].Most()));
+    }
+    return rates;
+  }
+
+  const LoopRecorder::Loop& Loop;
+  const int Threads;
+  const double Overhead;
+  vtkIdType Next = 0;
+};
 } // anonymous namespace
 
 LoopRecorder::LoopRecorder()
@@ -203,32 +331,51 @@ LoopRecorder* LoopRecorder::Active()
 void LoopRecorder::Run(vtkIdType count, const std::function<void(vtkIdType begin, vtkIdType end)>& body,
   const std::vector<vtkIdType>& groups)
 {
-  if (this->InsideItem)
+  if (this->InsideInner)
   {
     body(0, count);
     return;
   }
-  this->InsideItem = true;
+  const bool isInner = this->OfItem != nullptr;
   Loop loop;
   loop.Groups = groups;
   double start = Now();
-  loop.Before = start - this->End;
+  loop.Before = start - (isInner ? this->InnerEnd : this->End);
   loop.Items.reserve(static_cast<std::size_t>(count));
+  this->InsideInner = isInner;
   for (vtkIdType i = 0; i < count; ++i)
   {
+    std::vector<Loop> inner;
+    if (!isInner)
+    {
+      this->OfItem = &inner;
+      this->InnerEnd = start;
+    }
     body(i, i + 1);
     const double end = Now();
     loop.Items.push_back(end - start);
+    loop.Inner.push_back(std::move(inner));
     start = end;
   }
+  this->InsideInner = false;
+  if (isInner)
+  {
+    this->OfItem->push_back(std::move(loop));
+    this->InnerEnd = Now();
+    return;
+  }
+  this->OfItem = nullptr;
   this->Recorded.push_back(std::move(loop));
-  this->InsideItem = false;
   this->End = Now();
 }
 
 double LoopRecorder::Replay(const Loop& loop, int threads, double overhead)
 {
-  return loop.Groups.empty() ? ReplayBlocks(loop.Items, threads, overhead) : GroupReplay(loop, threads).Run(overhead);
+  const bool nested = std::any_of(
+    loop.Inner.begin(), loop.Inner.end(), [](const std::vector<Loop>& inner) { return !inner.empty(); });
+  return !loop.Groups.empty() ? GroupReplay(loop, threads).Run(overhead)
+    : nested                  ? NestedReplay(loop, threads, overhead).Run()
+                              : ReplayBlocks(loop.Items, threads, overhead);
 }
 
 } // namespace shadowcones

@@ -8,8 +8,10 @@
 #include "scNearestVectors.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace shadowcones
 {
@@ -53,6 +55,7 @@ struct Candidate
 {
   std::vector<vtkIdType> Neighbors; ///< K, nearest first
   BasePartition Base;
+  shadowcones::Cone Cone; ///< where the base holds enough vectors
 };
 
 /// The greedy covering of section 3.2.1: seeds in index order, each covering the vectors inside its base.
@@ -70,31 +73,25 @@ public:
   }
 
   /**
-   * Candidates of a batch of seeds are made side by side from the state before the batch, then taken in order; one whose
+   * Candidates of some seeds are made side by side from the state before them, and taken when it is their turn; one whose
    * neighbours died meanwhile is made again. The result is that of one seed after the other, for any number of threads.
    */
   bool Run(const Monitor& monitor)
   {
     const vtkIdType count = this->Vectors.Count;
-    const vtkIdType batch = std::clamp<vtkIdType>(count / (vtkIdType(8) * this->Options.NumberOfNeighbors), 16, 1024);
-    std::vector<vtkIdType> seeds;
-    std::vector<Candidate> candidates(static_cast<std::size_t>(batch));
     const Monitor quiet{ nullptr, monitor.Aborted };
-    for (vtkIdType next = 0; next < count;)
+    std::vector<vtkIdType> seeds;
+    std::vector<Candidate> made;
+    while (this->Next < count)
     {
       this->Neighbors.Prune();
-      seeds.clear();
-      for (; next < count && static_cast<vtkIdType>(seeds.size()) < batch; ++next)
+      this->ChooseSeeds(seeds);
+      made.resize(seeds.size());
+      const auto body = [&](vtkIdType first, vtkIdType last)
       {
-        if (!this->Covered[next])
+        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
         {
-          seeds.push_back(next);
-        }
-      }
-      const auto body = [&](vtkIdType first, vtkIdType last) {
-        for (vtkIdType i = first; i < last; ++i)
-        {
-          this->MakeCandidate(seeds[i], candidates[i]);
+          this->MakeCandidate(seeds[i], made[i]);
         }
       };
       if (!ParallelFor(static_cast<vtkIdType>(seeds.size()), quiet, body))
@@ -103,11 +100,12 @@ public:
       }
       for (std::size_t i = 0; i < seeds.size(); ++i)
       {
-        this->Take(seeds[i], candidates[i]);
+        this->Waiting.emplace(seeds[i], std::move(made[i]));
       }
+      this->TakeInTurn();
       if (monitor.Progress)
       {
-        monitor.Progress(static_cast<double>(next) / static_cast<double>(count));
+        monitor.Progress(static_cast<double>(this->Next) / static_cast<double>(count));
       }
     }
     this->Result.NumberOfDiscarded = std::count(this->Result.ConeIds.begin(), this->Result.ConeIds.end(), -1);
@@ -115,18 +113,98 @@ public:
   }
 
 private:
+  Vector3 PointOf(vtkIdType id) const
+  {
+    return { this->Vectors.Points[3 * id], this->Vectors.Points[3 * id + 1], this->Vectors.Points[3 * id + 2] };
+  }
+
+  /**
+   * The next seed, and some of those that follow: but for those that lie so near to one before them that its base will
+   * hold them. Where it does not, they come later, before any that follows them is taken.
+   */
+  void ChooseSeeds(std::vector<vtkIdType>& seeds) const
+  {
+    const vtkIdType count = this->Vectors.Count;
+    const vtkIdType most = std::clamp<vtkIdType>(count / (vtkIdType(4) * this->Options.NumberOfNeighbors), 32, 256);
+    constexpr vtkIdType looksOfSeed = 4;
+    constexpr vtkIdType few = 128; // of more, from many vectors, hardly any two are near
+    const double near = this->SumOfRadii / static_cast<double>(std::max<std::size_t>(1, this->Result.Cones.size()));
+    std::vector<Vector3> before;
+    const auto isNear = [&](const Vector3& point)
+    {
+      return most <= few &&
+        std::any_of(before.begin(), before.end(), [&](const Vector3& other)
+          { return Dot(point - other, point - other) < near * near; });
+    };
+    seeds.clear();
+    vtkIdType looks = 0;
+    for (vtkIdType id = this->Next;
+         id < count && static_cast<vtkIdType>(seeds.size()) < most && looks < looksOfSeed * most; ++id)
+    {
+      if (this->Covered[id])
+      {
+        continue;
+      }
+      looks += 1;
+      const Vector3 point = this->PointOf(id);
+      if (this->Waiting.count(id) > 0)
+      {
+        before.push_back(point);
+      }
+      else if (!isNear(point))
+      {
+        before.push_back(point);
+        seeds.push_back(id);
+      }
+    }
+  }
+
   void MakeCandidate(vtkIdType seed, Candidate& candidate) const
   {
     this->Neighbors.Query(seed, this->Options.NumberOfNeighbors, candidate.Neighbors);
     PartitionBase(this->Vectors, candidate.Neighbors, this->Options, candidate.Base);
+    const std::vector<vtkIdType>& members = candidate.Base.Members;
+    if (!this->IsEnough(members))
+    {
+      return;
+    }
+    Cone& cone = candidate.Cone;
+    cone = {};
+    cone.Center = candidate.Base.Center;
+    cone.Normal = candidate.Base.Normal;
+    cone.VectorCount = static_cast<int>(members.size());
+    cone.OccluderId = MajorityOccluder(this->Vectors, members);
+    ExpandCone(this->Vectors, members, this->Light, this->Options, candidate.Base.Radius, cone);
+    cone.Planarity = cone.BaseRadius > 0.0 ? candidate.Base.RmsHeight / cone.BaseRadius : 0.0;
+  }
+  bool IsEnough(const std::vector<vtkIdType>& members) const
+  {
+    return static_cast<int>(members.size()) >= this->Options.MinimumVectorsPerCone;
+  }
+
+  /// Take what waits, up to the first seed whose candidate is not there.
+  void TakeInTurn()
+  {
+    for (; this->Next < this->Vectors.Count; ++this->Next)
+    {
+      const auto waiting = this->Waiting.find(this->Next);
+      if (!this->Covered[this->Next])
+      {
+        if (waiting == this->Waiting.end())
+        {
+          return;
+        }
+        this->Take(this->Next, waiting->second);
+      }
+      if (waiting != this->Waiting.end())
+      {
+        this->Waiting.erase(waiting);
+      }
+    }
   }
 
   void Take(vtkIdType seed, Candidate& candidate)
   {
-    if (this->Covered[seed])
-    {
-      return;
-    }
     if (!this->Options.Overlap &&
       !std::all_of(candidate.Neighbors.begin(), candidate.Neighbors.end(),
         [this](vtkIdType id) { return this->Neighbors.IsAlive(id); }))
@@ -134,21 +212,13 @@ private:
       this->MakeCandidate(seed, candidate);
     }
     const std::vector<vtkIdType>& members = candidate.Base.Members;
-    if (static_cast<int>(members.size()) < this->Options.MinimumVectorsPerCone)
+    if (!this->IsEnough(members))
     {
       return;
     }
-
-    Cone cone;
-    cone.Center = candidate.Base.Center;
-    cone.Normal = candidate.Base.Normal;
-    cone.VectorCount = static_cast<int>(members.size());
-    cone.OccluderId = MajorityOccluder(this->Vectors, members);
-    ExpandCone(this->Vectors, members, this->Light, this->Options, candidate.Base.Radius, cone);
-    cone.Planarity = cone.BaseRadius > 0.0 ? candidate.Base.RmsHeight / cone.BaseRadius : 0.0;
-
     const auto id = static_cast<vtkIdType>(this->Result.Cones.size());
-    this->Result.Cones.push_back(cone);
+    this->Result.Cones.push_back(candidate.Cone);
+    this->SumOfRadii += candidate.Base.Radius;
     for (const vtkIdType member : members)
     {
       this->Covered[member] = 1;
@@ -168,6 +238,9 @@ private:
   const ConeSetOptions& Options;
   NearestVectors Neighbors;
   std::vector<unsigned char> Covered; ///< no longer a seed
+  vtkIdType Next = 0;                 ///< seeds before it had their turn
+  std::map<vtkIdType, Candidate> Waiting; ///< of seeds whose turn comes
+  double SumOfRadii = 0.0;                ///< of all bases
   ConeSet& Result;
 };
 
@@ -187,7 +260,7 @@ bool CollectCrossings(const PhotonPathView& paths, const std::vector<Cone>& cone
 {
   const ConeTree tree = ConeTree::OverBases(cones);
   // Fixed chunks, joined in order: the same for any number of threads.
-  constexpr vtkIdType chunk = 4096;
+  constexpr vtkIdType chunk = 512;
   const vtkIdType chunks = (paths.Count + chunk - 1) / chunk;
   std::vector<std::vector<std::pair<int, Crossing>>> found(static_cast<std::size_t>(chunks));
   const bool finished = ParallelFor(chunks, monitor, [&](vtkIdType first, vtkIdType last) {

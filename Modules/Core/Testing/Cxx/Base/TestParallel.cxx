@@ -211,13 +211,52 @@ TEST(ParallelFor, ManyThreadsAreBusyWhateverTheItemsTake)
     const double all = std::accumulate(items.begin(), items.end(), 0.0);
     for (const int threads : { 1, 2, 16, 64 })
     {
-      const double seconds = LoopRecorder::Replay({ 0.0, items, {} }, threads, 2e-6);
+      const double seconds = LoopRecorder::Replay({ 0.0, items, {}, {} }, threads, 2e-6);
       EXPECT_GE(seconds, all / threads);
       EXPECT_GT(all, 0.9 * threads * seconds) << items.size() << " items on " << threads << " threads";
     }
   }
   // What no order can mend: one item that is longer than the others together.
-  EXPECT_NEAR(LoopRecorder::Replay({ 0.0, { 1.0, 0.01, 0.01 }, {} }, 16, 0.0), 1.0, 1e-12);
+  EXPECT_NEAR(LoopRecorder::Replay({ 0.0, { 1.0, 0.01, 0.01 }, {}, {} }, 16, 0.0), 1.0, 1e-12);
+}
+
+TEST(LoopRecorder, IdleThreadsHelpWithLoopsInsideOfItems)
+{
+  LoopRecorder::Loop inner;
+  inner.Items.assign(100, 0.01);
+  LoopRecorder::Loop loop;
+  loop.Items = { 1.0, 1.0 };
+  loop.Inner = { { inner }, { inner } };
+  EXPECT_NEAR(LoopRecorder::Replay(loop, 1, 0.0), 2.0, 1e-9);
+  EXPECT_NEAR(LoopRecorder::Replay(loop, 2, 0.0), 1.0, 1e-9);
+  EXPECT_NEAR(LoopRecorder::Replay(loop, 16, 0.0), 0.125, 1e-9);
+  // What stands outside of them is done by one thread, and no loop ends before its longest item.
+  loop.Inner[0][0].Before = 0.5;
+  loop.Items[0] = 1.5;
+  EXPECT_NEAR(LoopRecorder::Replay(loop, 16, 0.0), 0.5 + 1.0 / 16.0, 1e-9);
+  loop.Inner[1][0].Items = { 0.7, 0.3 };
+  EXPECT_NEAR(LoopRecorder::Replay(loop, 16, 0.0), 0.7, 1e-9);
+}
+
+TEST(LoopRecorder, LoopsInsideOfItemsAreNoted)
+{
+  const LoopRecorder recorder;
+  ParallelFor(3, {}, [](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      ParallelFor(5 + i, {}, [](vtkIdType, vtkIdType) { ParallelFor(7, {}, [](vtkIdType, vtkIdType) {}); });
+    }
+  });
+  ASSERT_EQ(recorder.Loops().size(), 1u);
+  const LoopRecorder::Loop& loop = recorder.Loops().front();
+  ASSERT_EQ(loop.Inner.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    ASSERT_EQ(loop.Inner[i].size(), 1u);
+    EXPECT_EQ(loop.Inner[i].front().Items.size(), 5 + i);
+    EXPECT_TRUE(std::all_of(loop.Inner[i].front().Inner.begin(), loop.Inner[i].front().Inner.end(),
+      [](const std::vector<LoopRecorder::Loop>& inner) { return inner.empty(); }));
+  }
 }
 
 TEST(LoopRecorder, ThreadsHelpWithTheLastGroups)
