@@ -11,6 +11,7 @@
 #include "scRegularGrid.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace shadowcones
@@ -57,8 +58,18 @@ private:
     Vector3 Position;
     double Scale;
   };
+  /// Where to look first: it changes no value.
+  struct Memory
+  {
+    using Nearest = std::array<int, 16>; ///< the nearest first; -1: none
+    std::size_t PointOfLight = 0;        ///< that decided at the point before
+    std::vector<Nearest> Discs;          ///< for each point of the light
+  };
   struct Blocks;
-  double Value(const Vector3& point, const std::vector<int>& candidates, double largest) const;
+  static double DistanceFromRim(const Vector3& point, const PointOfLight& lit, const Disc& disc);
+  void Remember(const Vector3& middle, const std::vector<int>& candidates, Memory& memory) const;
+  double Value(const Vector3& point, const std::vector<int>& candidates, double largest, Memory& memory) const;
+  std::vector<int> Near(const RegularGrid& grid, const Blocks& blocks, const std::vector<int>& candidates) const;
   void SampleBlocks(const RegularGrid& grid, const Box& region, const Blocks& blocks, const std::vector<int>& candidates,
     float* values) const;
 
