@@ -78,6 +78,7 @@ public:
   const std::vector<Stage>& Stages() const { return this->List; }
   double Triangles() const { return static_cast<double>(this->Scene.NumberOfTriangles()); }
   double Photons() const { return static_cast<double>(this->Scene.NumberOfPhotons()); }
+  double Cones() const { return static_cast<double>(this->Scene.Cones().size()); }
 
 private:
   void Add(const char* name, const std::function<void()>& run)
@@ -98,10 +99,16 @@ private:
   std::vector<Stage> List;
 };
 
-/// @param change sets the parameter and gives the scene's name; @param valueOf, where given, replaces @p values.
-void Sweep(const std::string& parameter, std::vector<double> values, const SpeedSetting& setting,
-  const std::function<std::string(double, SpeedSetting&)>& change, const std::function<double(const Sample&)>& valueOf,
-  std::vector<Growth>& list)
+/// What the same runs are listed by. Without valueOf: the values that were set.
+struct Measure
+{
+  std::string Parameter;
+  std::function<double(const Sample&)> ValueOf;
+};
+
+/// @param change sets the parameter and gives the scene's name.
+void Sweep(const std::vector<Measure>& measures, const std::vector<double>& values, const SpeedSetting& setting,
+  const std::function<std::string(double, SpeedSetting&)>& change, std::vector<Growth>& list)
 {
   TimedJobs jobs;
   std::list<Sample> samples;
@@ -113,19 +120,23 @@ void Sweep(const std::string& parameter, std::vector<double> values, const Speed
   }
   jobs.Run(setting.Repeats, setting.Enough);
   const std::size_t stages = samples.front().Stages().size();
-  for (std::size_t stage = 0; stage < stages; ++stage)
+  for (const Measure& measure : measures)
   {
-    Growth growth;
-    growth.Parameter = parameter;
-    growth.Stage = samples.front().Stages()[stage].Name;
-    std::size_t k = 0;
-    for (const Sample& sample : samples)
+    const Clock clock = measure.Parameter == "threads" ? Clock::Wall : Clock::Processor;
+    for (std::size_t stage = 0; stage < stages; ++stage)
     {
-      growth.Values.push_back(valueOf ? valueOf(sample) : values[k]);
-      growth.Seconds.push_back(std::max(1e-9, jobs.Of(sample.Stages()[stage].Job).Seconds));
-      ++k;
+      Growth growth;
+      growth.Parameter = measure.Parameter;
+      growth.Stage = samples.front().Stages()[stage].Name;
+      std::size_t k = 0;
+      for (const Sample& sample : samples)
+      {
+        growth.Values.push_back(measure.ValueOf ? measure.ValueOf(sample) : values[k]);
+        growth.Seconds.push_back(std::max(1e-9, jobs.Of(sample.Stages()[stage].Job).By(clock)));
+        ++k;
+      }
+      list.push_back(growth);
     }
-    list.push_back(growth);
   }
 }
 } // namespace
@@ -142,23 +153,22 @@ std::vector<Growth> MeasureGrowth(const std::string& nameOrFile, const SpeedSett
       return nameOrFile;
     };
   };
-  Sweep("pixels along a side", { 64, 128, 256, 512 }, setting,
-    same([](double value, SpeedSetting& changed) { changed.Size = static_cast<int>(value); }), {}, list);
-  Sweep("light radius", { 0.1, 0.2, 0.4, 1.0 }, setting,
-    same([](double value, SpeedSetting& changed) { changed.Light.Radius = value; }), {}, list);
-  Sweep(
-    "photons", { 1000, 5800, 20000, 80000 }, setting,
-    same([](double value, SpeedSetting& changed) { changed.Vectors = static_cast<vtkIdType>(value); }),
-    [](const Sample& sample) { return sample.Photons(); }, list);
+  Sweep({ { "pixels along a side", {} } }, { 64, 128, 256, 512 }, setting,
+    same([](double value, SpeedSetting& changed) { changed.Size = static_cast<int>(value); }), list);
+  Sweep({ { "light radius", {} } }, { 0.1, 0.2, 0.4, 1.0 }, setting,
+    same([](double value, SpeedSetting& changed) { changed.Light.Radius = value; }), list);
+  Sweep({ { "photons", [](const Sample& sample) { return sample.Photons(); } },
+          { "cones", [](const Sample& sample) { return sample.Cones(); } } },
+    { 1000, 5800, 20000, 80000 }, setting,
+    same([](double value, SpeedSetting& changed) { changed.Vectors = static_cast<vtkIdType>(value); }), list);
   std::vector<std::string> files;
-  Sweep(
-    "triangles", { 1e2, 1e3, 1e4, 1e5, 1e6 }, setting,
+  Sweep({ { "triangles", [](const Sample& sample) { return sample.Triangles(); } } }, { 1e2, 1e3, 1e4, 1e5, 1e6 }, setting,
     [&files](double value, SpeedSetting& changed)
     {
       files.push_back(WriteBumpySphere(value, changed.Folder));
       return files.back();
     },
-    [](const Sample& sample) { return sample.Triangles(); }, list);
+    list);
   for (const std::string& file : files)
   {
     std::remove(file.c_str());
@@ -171,8 +181,8 @@ std::vector<Growth> MeasureGrowth(const std::string& nameOrFile, const SpeedSett
       threads.push_back(count);
     }
     threads.push_back(setting.Threads);
-    Sweep("threads", threads, setting,
-      same([](double value, SpeedSetting& changed) { changed.Threads = static_cast<int>(value); }), {}, list);
+    Sweep({ { "threads", {} } }, threads, setting,
+      same([](double value, SpeedSetting& changed) { changed.Threads = static_cast<int>(value); }), list);
   }
   return list;
 }
@@ -181,7 +191,7 @@ std::vector<Growth> MeasureGrowth(const std::string& nameOrFile, const SpeedSett
 void PrintGrowth(const std::string& scene, const std::vector<Growth>& list)
 {
   std::printf("%s: seconds of a stage at values of a parameter; time grows as the parameter to the exponent\n"
-              "  (triangles: of a bumpy sphere instead of the scene)\n",
+              "  (of the processor, for threads by the wall clock; triangles: of a bumpy sphere instead of the scene)\n",
     scene.c_str());
   std::string parameter;
   for (const Growth& growth : list)

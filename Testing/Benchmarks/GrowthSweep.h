@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GrowthSweep.h
- * @brief How the time of each stage grows with resolution, light radius, triangles, vectors and threads.
+ * @brief How the time of each stage grows with resolution, light radius, triangles, photons, cones and threads.
  */
 #ifndef GrowthSweep_h
 #define GrowthSweep_h
@@ -21,7 +21,7 @@ struct Growth
   std::string Parameter;
   std::string Stage;
   std::vector<double> Values;
-  std::vector<double> Seconds; ///< medians
+  std::vector<double> Seconds; ///< medians, of the processor, which other work does not change; of threads by the wall clock
 
   double Exponent() const { return GrowthExponent(this->Values, this->Seconds); }
 };

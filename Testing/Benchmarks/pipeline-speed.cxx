@@ -9,12 +9,14 @@
 //   threads   each stage on one and on two threads, and its loops replayed item by item on more
 //   memory    bytes of what is kept and the largest memory of each stage, against its formula
 #include "BenchmarkScene.h"
+#include "ErrorCurve.h"
+#include "SphereRoom.h"
+#include "StageMemory.h"
 #include "ThreadReplay.h"
 
 #include "scUmbraField.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkConeSetProbe.h"
 #include "vtkFloatArray.h"
@@ -23,22 +25,16 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkScatteringImageFilter.h"
-#include "vtkSphereSource.h"
-#include "vtkVisibilityVolume.h"
 
 #include "vtkAreaLightSource.h"
 
 #include <CLI/CLI.hpp>
-
-#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <exception>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -47,95 +43,11 @@ using namespace shadowcones;
 
 namespace
 {
-double SecondsOf(const std::function<void()>& run)
-{
-  const double start = Now();
-  run();
-  return Now() - start;
-}
-
 /// Of all threads together: what a busy machine does not change.
 double ProcessorSeconds()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
-
-/// The largest memory of the process since the last call, in bytes; 0 where the system does not say.
-double PeakMemory(bool restart)
-{
-  double kilobytes = 0.0;
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-  {
-    if (line.compare(0, 6, "VmHWM:") == 0)
-    {
-      kilobytes = std::stod(line.substr(6));
-    }
-  }
-  if (restart)
-  {
-    malloc_trim(0); // what was freed before would hide what is taken next
-    std::ofstream("/proc/self/clear_refs") << 5;
-  }
-  return 1024.0 * kilobytes;
-}
-
-/// A sphere of about so many triangles in the middle of the room, beneath a disc light, seen from the front.
-struct SphereRoom
-{
-  explicit SphereRoom(double triangles)
-  {
-    const int across = std::max(8, static_cast<int>(std::lround(std::sqrt(triangles))));
-    vtkNew<vtkSphereSource> source;
-    source->SetThetaResolution(across);
-    source->SetPhiResolution(across / 2 + 1);
-    source->SetRadius(1.0);
-    source->SetCenter(0.0, 2.5, 0.0);
-    source->Update();
-    this->Mesh->ShallowCopy(source->GetOutput());
-    this->Mesh->GetPointData()->SetNormals(nullptr);
-    this->Light->SetShapeToDisc();
-    this->Light->SetCenter(0.0, 5.49, 0.0);
-    this->Light->SetNormal(0.0, -1.0, 0.0);
-    this->Light->SetRadius(0.5);
-    this->Volume->SetMeshData(this->Mesh);
-    this->Volume->SetLightConnection(this->Light->GetOutputPort());
-    this->Volume->SetBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
-    this->Camera->SetPosition(0.0, 2.65, 10.0);
-    this->Camera->SetFocalPoint(0.0, 2.65, 0.0);
-    this->Image->SetInputData(this->Mesh);
-    this->Image->SetLightConnection(this->Light->GetOutputPort());
-    this->Image->SetVisibilityVolumeConnection(this->Volume->GetOutputPort());
-    this->Image->SetModeToVolume();
-    this->Image->SetCamera(this->Camera);
-    this->Image->SetMediumBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
-  }
-  double Frame()
-  {
-    return SecondsOf(
-      [this]
-      {
-        this->Camera->Azimuth(0.5);
-        this->Image->Update();
-      });
-  }
-  double MedianOfFrames(int count)
-  {
-    std::vector<double> seconds;
-    for (int k = 0; k < count; ++k)
-    {
-      seconds.push_back(this->Frame());
-    }
-    std::nth_element(seconds.begin(), seconds.begin() + count / 2, seconds.end());
-    return seconds[static_cast<std::size_t>(count / 2)];
-  }
-
-  vtkNew<vtkPolyData> Mesh;
-  vtkNew<vtkAreaLightSource> Light;
-  vtkNew<vtkVisibilityVolume> Volume;
-  vtkNew<vtkCamera> Camera;
-  vtkNew<vtkScatteringImageFilter> Image;
-};
 
 void MeasureFrames(double triangles, int size)
 {
@@ -276,7 +188,23 @@ void MeasureRising(int size)
   std::fflush(stdout);
 }
 
-/// The joint umbra of discs that hang side by side, on grids.
+/// Discs side by side under the lamp, as many along each side.
+std::vector<Cone> SheetOfDiscs(int side)
+{
+  std::vector<Cone> discs;
+  for (int k = 0; k < side * side; ++k)
+  {
+    Cone disc;
+    disc.Center = { 4.0 * (k % side + 0.5) / side - 2.0, 3.5, 4.0 * (k / side + 0.5) / side - 2.0 };
+    disc.Axis = { 0.0, -1.0, 0.0 };
+    disc.Normal = { 0.0, 1.0, 0.0 };
+    disc.BaseRadius = 1.6 / side;
+    discs.push_back(disc);
+  }
+  return discs;
+}
+
+/// The joint umbra of discs that hang side by side, on grids: of a box, and of a thin part of it at the finest resolution.
 void MeasureUmbra()
 {
   Light light;
@@ -286,83 +214,32 @@ void MeasureUmbra()
   light.Radius = 0.2;
   light.Spectrum = { 1.0 };
   PrepareLight(light);
-  for (const int resolution : { 32, 64 })
+  const struct
   {
-    for (const int side : { 5, 10, 20 })
+    int Resolution;
+    Box Region;
+  } grids[] = { { 64, { { -2.5, 1.0, -2.5 }, { 2.5, 3.5, 2.5 } } },
+    { 1024, { { -2.5, 2.5, -0.05 }, { 2.5, 2.6, 0.05 } } } };
+  for (const auto& of : grids)
+  {
+    const RegularGrid grid = GridOver(of.Region, of.Resolution);
+    std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
+    std::vector<double> counts;
+    std::vector<double> seconds;
+    for (const int side : { 10, 20, 40 })
     {
-      std::vector<Cone> discs;
-      for (int k = 0; k < side * side; ++k)
-      {
-        Cone disc;
-        disc.Center = { 4.0 * (k % side + 0.5) / side - 2.0, 3.5, 4.0 * (k / side + 0.5) / side - 2.0 };
-        disc.Axis = { 0.0, -1.0, 0.0 };
-        disc.Normal = { 0.0, 1.0, 0.0 };
-        disc.BaseRadius = 1.6 / side;
-        discs.push_back(disc);
-      }
-      const Box region{ { -2.5, 1.0, -2.5 }, { 2.5, 3.5, 2.5 } };
-      const UmbraField field(discs, light, 10.0, region);
-      const RegularGrid grid = GridOver(region, resolution);
-      std::vector<float> values(static_cast<std::size_t>(grid.NumberOfPoints()));
-      const double seconds = SecondsOf([&] { field.Sample(grid, region, {}, values.data()); });
-      std::printf("umbra: resolution %d, %d discs: %.3f s\n", resolution, side * side, seconds);
+      const UmbraField field(SheetOfDiscs(side), light, 10.0, of.Region);
+      const double processor = ProcessorSeconds();
+      field.Sample(grid, of.Region, {}, values.data());
+      counts.push_back(side * side);
+      seconds.push_back(ProcessorSeconds() - processor);
+      std::printf("umbra: resolution %d, %lld points, %d discs: processor %.3f s\n", of.Resolution,
+        static_cast<long long>(grid.NumberOfPoints()), side * side, seconds.back());
       std::fflush(stdout);
     }
-  }
-}
-
-/// The largest memory of a run over what was there before, against a formula.
-void PrintMemory(const char* what, double before, double formula)
-{
-  const double measured = PeakMemory(false) - before;
-  std::printf("memory: %-44s formula %8.1f MB, measured %8.1f MB, ratio %.2f\n", what, 1e-6 * formula, 1e-6 * measured,
-    measured > 0.0 ? formula / measured : 0.0);
-  std::fflush(stdout);
-}
-
-void MeasureMemory(double triangles)
-{
-  {
-    SphereRoom room(triangles);
-    room.Image->SetResolution(8, 8);
-    room.Image->SetModeToBruteForce();
-    const double count = static_cast<double>(room.Mesh->GetNumberOfCells());
-    room.Light->Update();
-    PeakMemory(true);
-    const double before = PeakMemory(false);
-    room.Image->Update();
-    PrintMemory("mesh and tree, while they are built", before, 480.0 * count);
-    const auto kept = static_cast<double>(room.Image->GetPreparedMemory());
-    std::printf("memory: kept %.1f bytes a triangle\n", kept / count);
-  }
-  {
-    SphereRoom room(2000.0);
-    room.Volume->SetDimensions(257, 257, 257);
-    room.Volume->SetNumberOfLightSamples(1);
-    room.Volume->SetBrickParts(1);
-    room.Light->Update();
-    PeakMemory(true);
-    double before = PeakMemory(false);
-    room.Volume->Update();
-    const double points = 257.0 * 257.0 * 257.0;
-    PrintMemory("volume of 257^3 points, filled", before, 29.0 * points);
-    room.Image->SetResolution(8, 8);
-    PeakMemory(true);
-    before = PeakMemory(false);
-    room.Image->Update();
-    PrintMemory("the same, read by an image", before, 10.0 * points);
-  }
-  {
-    SphereRoom room(2000.0);
-    room.Image->SetModeToGuided();
-    room.Image->SetRelativeErrorGoal(0.2);
-    room.Image->SetResolution(8, 8);
-    room.Image->Update();
-    room.Image->SetResolution(1024, 1024);
-    PeakMemory(true);
-    const double before = PeakMemory(false);
-    room.Image->Update();
-    PrintMemory("image of 1024 x 1024, seven wavelengths", before, (32.0 * 7.0 + 28.0 + 3.0) * 1024.0 * 1024.0);
+    std::printf("umbra: resolution %d: time grows as the number of discs to the power of %.2f\n", of.Resolution,
+      GrowthExponent(counts, seconds));
+    std::fflush(stdout);
   }
 }
 } // namespace
