@@ -120,6 +120,8 @@ def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, 
                  asymmetry=0.0, up=None, exposure=None, seed=1, progress=None):
     """The light shafts that a camera sees around a mesh in a thin medium: fog, smoke, water.
 
+    No cones are made: for one image that takes as long as they save.
+
     Args:
         mesh: a path (vtp, vtk, vtu, ply, stl, obj, 3ds, gltf, glb), any VTK data set, (points, faces) arrays, or a list or
             dictionary of these, one occluder each.
@@ -176,7 +178,6 @@ def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, 
         medium = [0.0] * 6
         defaults.GetMediumBounds(medium)
 
-    # No cones: for one image making them takes as long as they save.
     image = sc.vtkScatteringImageFilter()
     image.SetInputConnection(occluders.GetOutputPort())
     _lights.connect(image, lights)

@@ -6,10 +6,13 @@
 //   probe     20,000 points of 64 light samples
 //   rising    pictures of rising quality: how soon, and how near
 //   umbra     the joint umbra of many discs on grids
+//   fog       images with a density image over those without
+//   pixels    a Guided image of the sphere at growing sizes: how time grows with pixels
 //   threads   each stage on one and on two threads, and its loops replayed item by item on more
 //   memory    bytes of what is kept and the largest memory of each stage, against its formula
 #include "BenchmarkScene.h"
 #include "ErrorCurve.h"
+#include "FogSpeed.h"
 #include "SphereRoom.h"
 #include "StageMemory.h"
 #include "ThreadReplay.h"
@@ -242,19 +245,51 @@ void MeasureUmbra()
     std::fflush(stdout);
   }
 }
+
+/// A Guided image, another camera on a scene that stands, at sizes that double. Time grows as the number of pixels to the
+/// exponent that is printed.
+void MeasurePixels(double triangles, int smallest, int largest)
+{
+  SphereRoom room(triangles);
+  room.Image->SetModeToGuided();
+  room.Image->SetResolution(8, 8);
+  room.Image->Update(); // the search tree is there
+  double before = 0.0;
+  for (int size = smallest; size <= largest; size *= 2)
+  {
+    room.Image->SetResolution(size, size);
+    const double start = ProcessorSeconds();
+    const vtkIdType rays = room.Image->GetNumberOfRaysSent();
+    const double seconds = room.Frame();
+    const double used = ProcessorSeconds() - start;
+    std::printf("pixels: %lld triangles, Guided, %d x %d: %.3f s, processor %.3f s, %lld rays",
+      static_cast<long long>(room.Mesh->GetNumberOfCells()), size, size, seconds, used,
+      static_cast<long long>(room.Image->GetNumberOfRaysSent() - rays));
+    if (before > 0.0)
+    {
+      std::printf(", exponent %.2f", std::log(used / before) / std::log(4.0));
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+    before = used;
+  }
+}
 } // namespace
 
 int main(int argc, char* argv[])
 {
   CLI::App app("What the pipeline costs beside the estimators.");
-  std::vector<std::string> rows{ "frames", "volume", "probe", "rising", "umbra", "memory", "threads" };
+  std::vector<std::string> rows{ "frames", "volume", "probe", "rising", "umbra", "memory", "fog", "pixels", "threads" };
   double triangles = 1e6;
   int size = 256;
   int points = 257;
+  int largest = 1024;
   std::string scene = "chair";
-  app.add_option("--rows", rows, "frames, volume, probe, rising, umbra, memory, threads")->capture_default_str();
+  app.add_option("--rows", rows, "frames, volume, probe, rising, umbra, memory, fog, pixels, threads")
+    ->capture_default_str();
   app.add_option("--triangles", triangles, "of the sphere")->capture_default_str();
   app.add_option("--size", size, "width and height of images, pixels")->capture_default_str();
+  app.add_option("--largest", largest, "width and height of the largest image for pixels")->capture_default_str();
   app.add_option("--points", points, "of a volume along a side")->capture_default_str();
   app.add_option("--scene", scene, "chair, tree, blob or a mesh file, for probes and threads")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
@@ -285,6 +320,14 @@ int main(int argc, char* argv[])
       else if (row == "memory")
       {
         MeasureMemory(triangles);
+      }
+      else if (row == "fog")
+      {
+        MeasureFog(64, 3);
+      }
+      else if (row == "pixels")
+      {
+        MeasurePixels(triangles, size, largest);
       }
       else if (row == "threads")
       {

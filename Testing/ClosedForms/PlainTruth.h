@@ -7,10 +7,12 @@
 #define PlainTruth_h
 
 #include "Scenes.h"
+#include "scDensityGrid.h"
 #include "scRandom.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace shadowcones
 {
@@ -20,6 +22,23 @@ struct PlainTruth
   double Mean = 0.0;
   double Error = 0.0; ///< one standard error
 };
+
+/// Optical depth over sigma_t of the way between two points in the bounds: a plain sum of the density.
+inline double PlainDepth(const Medium& fog, const Vector3& from, const Vector3& to)
+{
+  const double length = Length(to - from);
+  if (!fog.Density)
+  {
+    return length;
+  }
+  constexpr int steps = 48;
+  double sum = 0.0;
+  for (int k = 0; k < steps; ++k)
+  {
+    sum += fog.Density->At(from + (k + 0.5) / steps * (to - from));
+  }
+  return sum * length / steps;
+}
 
 /**
  * One wavelength, isotropic scattering. Places are stratified in the angle under which the ray is seen from the disc's
@@ -76,7 +95,12 @@ inline PlainTruth PlainInScattering(const testsupport::ImageTestScene& scene, co
         double leg = length;
         scene.Fog.Bounds.Clip(x, direction, from, leg);
         const double perAngle = (distance * distance + (t - nearest) * (t - nearest)) / distance;
-        sum += source * area * cosine / (length * length) * std::exp(-sigmaT * (t - begin + leg)) * perAngle;
+        const double density = scene.Fog.Density ? scene.Fog.Density->At(x) : 1.0;
+        sum += source * area * cosine / (length * length) * density *
+          std::exp(-sigmaT *
+            (PlainDepth(scene.Fog, ray.Origin + begin * ray.Direction, x) +
+              PlainDepth(scene.Fog, x, x + leg * direction))) *
+          perAngle;
       }
     }
     const double estimate = sum * angle / samples;
@@ -85,6 +109,33 @@ inline PlainTruth PlainInScattering(const testsupport::ImageTestScene& scene, co
   }
   truth.Error = repeats > 1 ? std::sqrt(std::max(squares - truth.Mean * truth.Mean, 0.0) / (repeats - 1)) : 0.0;
   return truth;
+}
+
+/// What pixels of one wavelength err by, over what they claim and what the truth errs by.
+struct ClaimsHeld
+{
+  int WithinTwo = 0; ///< number of pixels
+  double Mean = 0.0;
+  double Root = 0.0; ///< of the mean square
+};
+
+/// @param pixels where each of the truths is in the image's arrays.
+inline ClaimsHeld JudgeClaims(
+  const ScatteringImage& image, const std::vector<std::size_t>& pixels, const std::vector<PlainTruth>& truths)
+{
+  ClaimsHeld held;
+  const auto count = static_cast<double>(pixels.size());
+  for (std::size_t k = 0; k < pixels.size(); ++k)
+  {
+    const double value = image.InScattering[pixels[k]];
+    const double claim = std::hypot(static_cast<double>(image.RelativeError[pixels[k]]) * value, truths[k].Error);
+    const double ratio = (value - truths[k].Mean) / claim;
+    held.WithinTwo += std::fabs(ratio) <= 2.0;
+    held.Mean += ratio / count;
+    held.Root += ratio * ratio / count;
+  }
+  held.Root = std::sqrt(held.Root);
+  return held;
 }
 
 } // namespace shadowcones

@@ -56,12 +56,13 @@ const LightSequence& Sequence()
 }
 } // anonymous namespace
 
-BlockedLight::BlockedLight(const RenderContext& context)
+BlockedLight::BlockedLight(const RenderContext& context, const LightLegs* legs)
   : Scene(context.Scene)
   , Options(context.Options)
   , Groups(context.Groups)
   , Sampler(context.Scene.Light, context.Options.Sampling)
   , OpticalDepth(context.Scene.Medium)
+  , Legs(legs)
   , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
   , Intervals(context.Groups)
   , Ratio(context.Groups)
@@ -221,7 +222,8 @@ void BlockedLight::Conclude(double litError)
     const double weight = pass.Weight / this->SumOfWeights;
     this->SampledVariance += weight * weight * (this->EdgeVariance(pass) + this->UnseenVariance(pass));
   }
-  this->SquaredError = this->Ratio.SquaredError(this->Intervals, this->SampledVariance, litError);
+  this->SquaredError = this->Ratio.SquaredError(
+    this->Intervals, this->SampledVariance, litError, this->Legs ? this->Legs->ErrorOfLegs : 0.0);
 }
 
 void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
@@ -265,8 +267,8 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
       const bool blocked = occluders.Occluded(point, sample.Direction, 0.0, sample.Distance, this->Rules);
       const double source = sample.Weight * this->OpticalDepth.DensityAt(point) *
         EvaluatePhaseFunction(this->Scene.Medium.Phase, Dot(sample.Direction, ray.Direction));
-      const double depth =
-        this->OpticalDepth.Along(t) + this->OpticalDepth.Towards(point, sample.Direction, sample.Distance);
+      const double depth = this->OpticalDepth.Along(t) +
+        DepthTowards(this->Legs, this->OpticalDepth, point, sample.Direction, sample.Distance);
       // Over the density of places: the light in the cell per its width, over all of the intervals' light.
       const double weight = distributed * lit.Width(node.Cell) / inCell / count;
       for (int g = 0; g < groups; ++g)

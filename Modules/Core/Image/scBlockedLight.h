@@ -11,6 +11,7 @@
 #define scBlockedLight_h
 
 #include "scIntervalLight.h"
+#include "scLightLegs.h"
 #include "scLightSampler.h"
 #include "scLitSums.h"
 #include "scMediumOpticalDepth.h"
@@ -28,7 +29,8 @@ namespace shadowcones
 class BlockedLight
 {
 public:
-  explicit BlockedLight(const RenderContext& context);
+  /// @param legs a table of the density towards the light, nullptr where there is none; it must outlive this.
+  explicit BlockedLight(const RenderContext& context, const LightLegs* legs = nullptr);
 
   /// Against what errors are measured, means over wavelengths.
   struct Yardstick
@@ -96,6 +98,7 @@ private:
   const ExtinctionGroups& Groups;
   LightSampler Sampler;
   MediumOpticalDepth OpticalDepth;
+  const LightLegs* Legs;
   const RayRules Rules; ///< for what is flush with the light
   const LitSums* Lit = nullptr;
   Yardstick Measure;

@@ -73,13 +73,14 @@ const LightStrata& StrataOf(int count)
 }
 } // anonymous namespace
 
-LinesOfLight::LinesOfLight(const RenderContext& context, const LineShadows& shadows)
+LinesOfLight::LinesOfLight(const RenderContext& context, const LineShadows& shadows, const LightLegs* legs)
   : Scene(context.Scene)
   , Options(context.Options)
   , Groups(context.Groups)
   , Shadows(shadows)
   , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
   , OpticalDepth(context.Scene.Medium)
+  , Legs(legs)
   , Intervals(context.Groups)
   , Ratio(context.Groups)
 {
@@ -304,7 +305,8 @@ void LinesOfLight::Conclude(double litError)
     const double weight = pass.Weight / this->SumOfWeights;
     this->SampledVariance += weight * weight * (this->VarianceOf(pass) + this->UnseenVariance(pass.Count));
   }
-  this->SquaredError = this->Ratio.SquaredError(this->Intervals, this->SampledVariance, litError);
+  this->SquaredError = this->Ratio.SquaredError(
+    this->Intervals, this->SampledVariance, litError, this->Legs ? this->Legs->ErrorOfLegs : 0.0);
 }
 
 void LinesOfLight::Sample(int count, std::uint64_t seed)
@@ -456,7 +458,7 @@ double LinesOfLight::SentBy(const LightSurfaceSample& point, double t, double& d
     direction = (1.0 / distance) * to;
     weight = (isFace ? std::max(-Dot(direction, point.Normal), 0.0) : 1.0) / (squared * point.Pdf);
   }
-  depth = this->OpticalDepth.Along(t) + this->OpticalDepth.Towards(place, direction, distance);
+  depth = this->OpticalDepth.Along(t) + DepthTowards(this->Legs, this->OpticalDepth, place, direction, distance);
   return weight * this->OpticalDepth.DensityAlong(t) *
     EvaluatePhaseFunction(this->Scene.Medium.Phase, Dot(direction, ray.Direction));
 }

@@ -38,7 +38,8 @@ public:
   /// A line counts as so many samples and rays: it costs what they do, about.
   static constexpr int SamplesOfLine = 16;
 
-  LinesOfLight(const RenderContext& context, const LineShadows& shadows);
+  /// @param legs as of BlockedLight.
+  LinesOfLight(const RenderContext& context, const LineShadows& shadows, const LightLegs* legs = nullptr);
 
   /// May the light of such lamps be told by lines at all?
   static bool Fit(const RenderContext& context);
@@ -100,6 +101,7 @@ private:
   const LineShadows& Shadows;
   const RayRules Rules;
   MediumOpticalDepth OpticalDepth;
+  const LightLegs* Legs;
   Vector3 LampCenter;
   double LampRadius = 0.0;
   IntervalLight Intervals;

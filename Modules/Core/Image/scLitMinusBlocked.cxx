@@ -13,22 +13,11 @@ namespace shadowcones
 namespace
 {
 constexpr int blockSide = LitMinusBlocked::BlockSide;
-/// Largest error of the unshadowed light over itself, and this share of what Guided's pixels may err by. Rays that are
-/// not checked err by half of it, say.
-constexpr double litTolerance = 1e-3;
-constexpr double litFraction = 0.2;
 /// A pixel whose look sees no light takes no more samples than this, where none of so many a pixel does in all its
 /// block.
 constexpr int darkSamples = 64;
 constexpr int blockSamples = 16;
 constexpr int blockLines = 2;
-
-double LitTolerance(const ScatteringOptions& options)
-{
-  const double goal = options.Mode == ScatteringMode::Guided ? options.RelativeErrorGoal : 0.0;
-  return goal > 0.0 ? std::min(litTolerance, litFraction * goal) : litTolerance;
-}
-
 } // anonymous namespace
 
 LitMinusBlocked::LitMinusBlocked(const LitMinusBlockedScene& shared, const PrimaryHits& hits, ScatteringImage& image)
@@ -38,17 +27,17 @@ LitMinusBlocked::LitMinusBlocked(const LitMinusBlockedScene& shared, const Prima
   , Groups(shared.Context.Groups)
   , Hits(hits)
   , Image(image)
-  , Tile(shared.Lit, Scene.Camera, Options.Width, Options.Height, LitTolerance(Options), shared.TypicalSums)
+  , Tile(shared.Lit, Scene.Camera, Options.Width, Options.Height, shared.Tolerance, shared.TypicalSums)
   , Sums(Groups)
   , OpticalDepth(Scene.Medium)
-  , Blocked(shared.Context)
+  , Blocked(shared.Context, shared.Legs.get())
   , OtherSums(Groups)
-  , OtherBlocked(shared.Context)
+  , OtherBlocked(shared.Context, shared.Legs.get())
 {
   if (shared.Lines)
   {
-    this->Lines = std::make_unique<LinesOfLight>(shared.Context, *shared.Lines);
-    this->OtherLines = std::make_unique<LinesOfLight>(shared.Context, *shared.Lines);
+    this->Lines = std::make_unique<LinesOfLight>(shared.Context, *shared.Lines, shared.Legs.get());
+    this->OtherLines = std::make_unique<LinesOfLight>(shared.Context, *shared.Lines, shared.Legs.get());
   }
   if (this->Scene.Cones && this->Options.Mode == ScatteringMode::Guided)
   {
@@ -211,8 +200,9 @@ template <class Estimator>
 void LitMinusBlocked::EstimateBy(Estimator& estimator, std::uint64_t seed)
 {
   const double smallest = LitMinusBlockedScene::DarkestFraction * this->Shared.TypicalMean;
+  const double tableError = this->Shared.Legs ? this->Shared.Legs->ErrorOfRays : 0.0;
   estimator.Look(this->Sums, this->Intervals,
-    { this->Shared.Darkest, 0.5 * this->Pixel.Tolerance * std::max(this->Sums.Mean(), smallest) }, seed);
+    { this->Shared.Darkest, (0.5 * this->Pixel.Tolerance + tableError) * std::max(this->Sums.Mean(), smallest) }, seed);
   const bool dark =
     estimator.LooksDark() && estimator.NumberOfWantedSamples() > darkSamples && this->IsBlockDark();
   estimator.Estimate(dark ? darkSamples : this->Options.MaximumSamples);

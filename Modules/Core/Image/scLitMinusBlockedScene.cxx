@@ -2,6 +2,7 @@
 #include "scLitMinusBlockedScene.h"
 
 #include "scBlockedLight.h"
+#include "scLightLegsChoice.h"
 #include "scLinesOfLight.h"
 #include "scLitPixel.h"
 #include "scLitTile.h"
@@ -27,8 +28,34 @@ constexpr double costOfLine = 3.0;
 constexpr double costOfGroup = 0.15;
 /// Lines are not thought of where a mesh has more triangles.
 constexpr vtkIdType mostTriangles = 1 << 16;
-/// What they would cost is told for this goal where none is given.
+
+/// Largest error of the unshadowed light over itself, and this share of what Guided's pixels may err by. Rays that are
+/// not checked err by half of it, say.
+constexpr double litTolerance = 1e-3;
+constexpr double litFraction = 0.2;
+/// What samples and lines would cost, and how good a table is to be, is told for this goal where none is given.
 constexpr double usualGoal = 0.01;
+/// Standard errors that a table of the density towards the light may bring, of that tolerance; where pixels say by how
+/// much they err, of the goal; and those of single ways, of the goal.
+constexpr double tableFraction = 0.25;
+constexpr double goalFraction = 0.2;
+constexpr double legsFraction = 0.4;
+
+double LitTolerance(const ScatteringOptions& options)
+{
+  const double goal = options.Mode == ScatteringMode::Guided ? options.RelativeErrorGoal : 0.0;
+  return goal > 0.0 ? std::min(litTolerance, litFraction * goal) : litTolerance;
+}
+
+LightLegsTolerance LegsTolerance(const ScatteringOptions& options)
+{
+  if (options.Mode != ScatteringMode::Guided)
+  {
+    return { tableFraction * litTolerance, HUGE_VAL }; // only samples ask for single ways
+  }
+  const double goal = options.RelativeErrorGoal > 0.0 ? options.RelativeErrorGoal : usualGoal;
+  return { goalFraction * goal, legsFraction * goal };
+}
 
 /// Call visit(sums, intervals, seed) for rays all over the image, whatever part of it is asked for.
 template <typename Visitor>
@@ -66,7 +93,7 @@ void LookAlongRays(const LitMinusBlockedScene& shared, Visitor&& visit)
 /// The image's mean over wavelengths, from few samples of each ray.
 double LookAtImage(const LitMinusBlockedScene& shared)
 {
-  BlockedLight blocked(shared.Context);
+  BlockedLight blocked(shared.Context, shared.Legs.get());
   double shown = 0.0;
   LookAlongRays(shared,
     [&](const LitSums& sums, const std::vector<RayInterval>& intervals, std::uint64_t seed)
@@ -87,8 +114,8 @@ bool LinesCostLess(const LitMinusBlockedScene& shared, const LineShadows& shadow
   ScatteringOptions options = shared.Context.Options;
   options.RelativeErrorGoal = options.RelativeErrorGoal > 0.0 ? options.RelativeErrorGoal : usualGoal;
   const RenderContext context(shared.Context.Scene, options);
-  BlockedLight blocked(context);
-  LinesOfLight lines(context, shadows);
+  BlockedLight blocked(context, shared.Legs.get());
+  LinesOfLight lines(context, shadows, shared.Legs.get());
   double bySamples = 0.0;
   double byLines = 0.0;
   LookAlongRays(shared,
@@ -115,15 +142,18 @@ bool LinesCostLess(const LitMinusBlockedScene& shared, const LineShadows& shadow
 }
 } // anonymous namespace
 
-LitMinusBlockedScene::LitMinusBlockedScene(const RenderContext& context)
+LitMinusBlockedScene::LitMinusBlockedScene(const RenderContext& context, const Monitor& monitor)
   : Context(context)
   , Lit(context.Scene.Light, context.Scene.Medium, context.Groups)
+  , Tolerance(LitTolerance(context.Options))
+  , Legs(ChooseLightLegs(Lit, context.Scene.Camera, context.Options, LegsTolerance(context.Options), monitor))
   , TypicalSums(TypicalLitSums(this->Lit, context.Scene.Camera, context.Options.Width, context.Options.Height))
   , TypicalMean(std::inner_product(context.Groups.MeanScatteredRadiance.begin(),
       context.Groups.MeanScatteredRadiance.end(), TypicalSums.begin(), 0.0))
 {
   const ScatteringScene& scene = context.Scene;
   const ScatteringOptions& options = context.Options;
+  this->Lit.UseTable(this->Legs.get());
   if (scene.Visibility && options.Mode != ScatteringMode::Guided)
   {
     if (!scene.Layout)

@@ -6,7 +6,9 @@
 #ifndef scLitMinusBlockedScene_h
 #define scLitMinusBlockedScene_h
 
+#include "scLightLegs.h"
 #include "scLitQuadrature.h"
+#include "scParallel.h"
 #include "scRenderContext.h"
 
 #include <memory>
@@ -25,11 +27,15 @@ struct LitMinusBlockedScene
   /// that is read from, of what the image shows what is sampled.
   static constexpr double DarkestFraction = 0.1;
 
-  explicit LitMinusBlockedScene(const RenderContext& context);
+  /// @param monitor for what takes long; where it asks to stop the scene is not to be used.
+  explicit LitMinusBlockedScene(const RenderContext& context, const Monitor& monitor = {});
   ~LitMinusBlockedScene();
 
   const RenderContext& Context;
   LitQuadrature Lit;
+  /// Largest error of the unshadowed light over itself.
+  double Tolerance = 0.0;
+  std::unique_ptr<const LightLegs> Legs; ///< in a varying density, where a table serves
   std::vector<double> TypicalSums; ///< of every group
   double TypicalMean = 0.0;        ///< over wavelengths
   double Darkest = 0.0;            ///< pixels that are darker are sampled as if they had this, mean over wavelengths

@@ -58,15 +58,17 @@ struct PanelRules
   /// The Lagrange polynomials of a panel's nodes at @p x of it.
   std::array<double, nodes> PolynomialsAt(double x) const
   {
-    std::array<double, nodes> values;
-    for (int j = 0; j < nodes; ++j)
+    // Products of the differences before a node and behind it.
+    std::array<double, nodes> values = this->Inverses;
+    double before = 1.0;
+    double behind = 1.0;
+    for (std::size_t j = 0; j < nodes; ++j)
     {
-      double value = this->Inverses[static_cast<std::size_t>(j)];
-      for (int m = 0; m < nodes; ++m)
-      {
-        value *= m == j ? 1.0 : x - this->Rule.Nodes[static_cast<std::size_t>(m)];
-      }
-      values[static_cast<std::size_t>(j)] = value;
+      values[j] *= before;
+      before *= x - this->Rule.Nodes[j];
+      const std::size_t last = nodes - 1 - j;
+      values[last] *= behind;
+      behind *= x - this->Rule.Nodes[last];
     }
     return values;
   }
@@ -171,17 +173,11 @@ void LitProfiler::IntegrateDensity(
     std::fill(this->Nodes.begin(), this->Nodes.end(), 0.0);
     for (int j = 0; j < 2; ++j)
     {
-      const double wanted = before + rule.Nodes[j] * depth;
-      double from = low;
-      double to = high;
-      for (int step = 0; step < 24; ++step)
-      {
-        const double between = 0.5 * (from + to);
-        (this->OpticalDepth.Along(between) < wanted ? from : to) = between;
-      }
-      const double t = 0.5 * (from + to);
+      const double t = this->OpticalDepth.DistanceAt(before + rule.Nodes[j] * depth, low, high);
       const double factor = 0.5 * depth / std::fabs(variable.CellFactor());
-      this->TablePanels > 0 ? this->AddFromTable(ray, variable, t, factor, this->Nodes.data())
+      // Within a cell the variable goes with the distance, nearly.
+      const double coordinate = k + std::clamp((t - edges[k]) / (end - edges[k]), 0.0, 1.0);
+      this->TablePanels > 0 ? this->AddFromTable(ray, t, coordinate, factor, this->Nodes.data())
                             : this->AddNode(ray, t, this->OpticalDepth.Along(t), factor, level, this->Nodes.data());
     }
     for (int g = 0; g < groups; ++g)
@@ -219,10 +215,9 @@ void LitProfiler::TabulateLight(const Ray& ray, const LitVariable& variable, con
   }
 }
 
-void LitProfiler::AddFromTable(
-  const Ray& ray, const LitVariable& variable, double t, double factor, double* value) const
+void LitProfiler::AddFromTable(const Ray& ray, double t, double coordinate, double factor, double* value) const
 {
-  const double place = variable.CellCoordinate(t) / cells * this->TablePanels;
+  const double place = coordinate / cells * this->TablePanels;
   const int panel = std::clamp(static_cast<int>(place), 0, this->TablePanels - 1);
   const std::array<double, nodes> polynomials = Panels().PolynomialsAt(place - panel);
   const ExtinctionGroups& groups = this->Quadrature.Groups;
@@ -249,13 +244,24 @@ void LitProfiler::AddNode(
   const LightRule& coarse = quadrature.Rules[static_cast<std::size_t>(level.Rule)];
   const int rule = std::min(level.Rule + coarse.LevelsNearer(point), LightRule::NumberOfLevels - 1);
   const LightRule& light = quadrature.Rules[static_cast<std::size_t>(rule)];
-  if (this->OpticalDepth.IsHomogeneous() && light.IsByArea(point))
+  if (quadrature.Legs)
   {
-    this->AddLightPoints(light, point, ray.Direction, cameraLeg, factor, value);
+    quadrature.Legs->LookAt(point, this->Place);
+  }
+  const bool alongLines = this->OpticalDepth.IsHomogeneous() || (quadrature.Legs && this->Place.InTable);
+  if (alongLines && light.IsByArea(point))
+  {
+    this->AddLightPoints(rule, point, ray.Direction, cameraLeg, factor, value);
     return;
   }
   light.ForEach(point,
     [&](const IncidentSample& sample) { this->AddSample(sample, point, ray.Direction, cameraLeg, factor, value); });
+}
+
+double LitProfiler::DepthTowards(const Vector3& point, const IncidentSample& sample) const
+{
+  return this->Quadrature.Legs ? this->Quadrature.Legs->Towards(this->Place, sample.Direction, sample.Distance)
+                               : this->OpticalDepth.Towards(point, sample.Direction, sample.Distance);
 }
 
 void LitProfiler::AddSample(const IncidentSample& sample, const Vector3& point, const Vector3& direction,
@@ -264,7 +270,7 @@ void LitProfiler::AddSample(const IncidentSample& sample, const Vector3& point, 
   const ExtinctionGroups& groups = this->Quadrature.Groups;
   const double source =
     factor * sample.Weight * EvaluatePhaseFunction(this->Quadrature.Air.Phase, Dot(sample.Direction, direction));
-  const double depth = cameraLeg + this->OpticalDepth.Towards(point, sample.Direction, sample.Distance);
+  const double depth = cameraLeg + this->DepthTowards(point, sample);
   for (int g = 0; g < groups.Count(); ++g)
   {
     value[g] += source * TransmittanceOver(groups.SigmaT[static_cast<std::size_t>(g)], depth);
@@ -272,8 +278,9 @@ void LitProfiler::AddSample(const IncidentSample& sample, const Vector3& point, 
 }
 
 void LitProfiler::AddLightPoints(
-  const LightRule& rule, const Vector3& point, const Vector3& direction, double cameraLeg, double factor, double* value)
+  int level, const Vector3& point, const Vector3& direction, double cameraLeg, double factor, double* value)
 {
+  const LightRule& rule = this->Quadrature.Rules[static_cast<std::size_t>(level)];
   const Medium& medium = this->Quadrature.Air;
   const LightPoints points = rule.AreaPoints();
   const auto count = static_cast<std::size_t>(points.Count);
@@ -282,6 +289,11 @@ void LitProfiler::AddLightPoints(
   this->Legs.resize(count);
   LookAtLight(points, rule.ViewFrom(point, direction, medium.Bounds), this->Weights.data(), this->Cosines.data(),
     this->Legs.data());
+  if (this->Quadrature.Legs)
+  {
+    const std::vector<float>& weights = this->Quadrature.NodeWeights[static_cast<std::size_t>(level)];
+    LightLegs::MultiplyByMeans(this->Place, weights.data(), points.Count, this->Legs.data());
+  }
   rule.FindNear(point, this->NearSamples, this->ReplacedPoints);
   for (const IncidentSample& sample : this->NearSamples)
   {

@@ -6,6 +6,7 @@
 #ifndef scLitProfiler_h
 #define scLitProfiler_h
 
+#include "scLightLegs.h"
 #include "scLightRule.h"
 #include "scLightSampling.h"
 #include "scLitInterval.h"
@@ -35,20 +36,22 @@ private:
     const Ray& ray, const LitVariable& variable, const double* edges, const LitLevel& level, float* values);
   /// Look at the light from the nodes of all panels, through the density: what lies between them is read from these.
   void TabulateLight(const Ray& ray, const LitVariable& variable, const LitLevel& level);
-  /// Add what the table says of a place, times a factor, with the camera's leg.
-  void AddFromTable(const Ray& ray, const LitVariable& variable, double t, double factor, double* value) const;
+  /// Add what the table says of a place, whose cell coordinate is given, times a factor, with the camera's leg.
+  void AddFromTable(const Ray& ray, double t, double coordinate, double factor, double* value) const;
   /// What the table holds is multiplied by this to be smooth along the ray: the squared distance from the light.
   double Evened(const Vector3& point) const;
+  double DepthTowards(const Vector3& point, const IncidentSample& sample) const;
   /// Add what the light sends by way of the point at @p t to the camera, per unit of length and density, times a
   /// factor.
   void AddNode(const Ray& ray, double t, double cameraLeg, double factor, const LitLevel& level, double* value);
   void AddSample(const IncidentSample& sample, const Vector3& point, const Vector3& direction, double cameraLeg,
     double factor, double* value);
-  void AddLightPoints(const LightRule& rule, const Vector3& point, const Vector3& direction, double cameraLeg,
+  void AddLightPoints(int level, const Vector3& point, const Vector3& direction, double cameraLeg,
     double factor, double* value);
 
   const LitQuadrature& Quadrature;
   MediumOpticalDepth OpticalDepth;
+  LightLegs::Place Place;     ///< of the node at hand, where there is a table of means towards the light
   std::vector<double> Nodes;  ///< integrand at the nodes of one panel, group by group
   std::vector<double> Table;  ///< in a varying density: what the light sends to the nodes of all panels
   int TablePanels = 0;        ///< 0: there is none

@@ -2,6 +2,7 @@
 #include "scLitQuadrature.h"
 
 #include "scDensityGrid.h"
+#include "scLightLegs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,16 @@ LitQuadrature::LitQuadrature(const Light& light, const Medium& medium, const Ext
   if (sigmaT * density * this->Extent > denseDepth)
   {
     this->DenseSigmaT = sigmaT;
+  }
+}
+
+void LitQuadrature::UseTable(const LightLegs* legs)
+{
+  this->Legs = legs;
+  this->NodeWeights.clear();
+  for (const LightRule& rule : this->Rules)
+  {
+    this->NodeWeights.push_back(legs ? legs->WeightsOf(rule) : std::vector<float>());
   }
 }
 

@@ -19,6 +19,8 @@
 namespace shadowcones
 {
 
+class LightLegs;
+
 /// How fine a profile is computed.
 struct LitLevel
 {
@@ -48,6 +50,11 @@ public:
   /// The largest extinction where the medium is dense: half of the cells lie close behind a ray's entry then. 0: it is
   /// not.
   double DenseSigmaT = 0.0;
+  /// In a varying density: its means towards the light from a table, where one serves; it must outlive this.
+  const LightLegs* Legs = nullptr;
+  void UseTable(const LightLegs* legs);
+  /// Of the table's nodes, for the points of every rule.
+  std::vector<std::vector<float>> NodeWeights;
   /// The coarsest that is worth looking at.
   LitLevel FirstLevel() const;
 };

@@ -66,6 +66,7 @@ LitTile::LitTile(const LitQuadrature& quadrature, const Camera& camera, int widt
     smallest *= 0.1;
   }
   this->Columns.resize(3 * quadrature.Layout.Size());
+  this->ComputedValues.resize((Side + 1) * (Side + 1) * quadrature.Layout.Size());
   for (std::vector<float>& values : this->Scratch)
   {
     values.resize(quadrature.Layout.Size());
@@ -83,6 +84,7 @@ void LitTile::MoveTo(int i0, int j0)
   this->Leaves.clear();
   this->Sheets.clear();
   this->Values.clear();
+  this->ComputedPixels.assign((Side + 1) * (Side + 1), Computed());
   this->BlendedRow = -1;
   this->Cut(i0, j0, Side, this->Quadrature.FirstLevel(), this->Tolerance);
 }
@@ -158,37 +160,39 @@ bool LitTile::Affords(const LitLevel& level) const
 void LitTile::RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tolerance)
 {
   // Where rules do for the ray that passes nearest to the light they do for the others.
-  Ray ray;
-  LitInterval interval;
+  int nearestI = i0;
+  int nearestJ = j0;
   double nearest = HUGE_VAL;
   for (int k = 0; k < 10; ++k)
   {
-    const Ray other = k < 9 ? this->RayOf(i0 + size / 2 * (k % 3), j0 + size / 2 * (k / 3))
-                            : this->RayOf(i0 + size / 4, j0 + size - size / 4);
+    const int i = k < 9 ? i0 + size / 2 * (k % 3) : i0 + size / 4;
+    const int j = k < 9 ? j0 + size / 2 * (k / 3) : j0 + size - size / 4;
+    const Ray other = this->RayOf(i, j);
     const LitInterval part = this->Quadrature.Intervals.Find(other);
     const double t = std::clamp(Dot(this->Quadrature.Center - other.Origin, other.Direction), part.Begin, part.End);
     const double distance = Length(other.Origin + t * other.Direction - this->Quadrature.Center);
     if (!part.Empty() && distance < nearest)
     {
-      ray = other;
-      interval = part;
+      nearestI = i;
+      nearestJ = j;
       nearest = distance;
     }
   }
-  this->RaiseLevelFor(ray, interval, level, tolerance);
+  this->RaiseLevelFor(nearestI, nearestJ, level, tolerance);
   if (this->Quadrature.Air.Density)
   {
     // Nor is a density alike everywhere.
     for (const int corner : { 0, size })
     {
-      const Ray other = this->RayOf(i0 + corner, j0 + corner);
-      this->RaiseLevelFor(other, this->Quadrature.Intervals.Find(other), level, tolerance);
+      this->RaiseLevelFor(i0 + corner, j0 + corner, level, tolerance);
     }
   }
 }
 
-void LitTile::RaiseLevelFor(const Ray& ray, const LitInterval& interval, LitLevel& level, double& tolerance)
+void LitTile::RaiseLevelFor(int i, int j, LitLevel& level, double& tolerance)
 {
+  const Ray ray = this->RayOf(i, j);
+  const LitInterval interval = this->Quadrature.Intervals.Find(ray);
   if (interval.Empty())
   {
     return;
@@ -196,7 +200,7 @@ void LitTile::RaiseLevelFor(const Ray& ray, const LitInterval& interval, LitLeve
   const double factor = this->CellFactor(ray, interval);
   float* values = this->Scratch[0].data();
   float* finer = this->Scratch[1].data();
-  this->Evaluate(ray, interval, level, values);
+  this->EvaluatePixel(i, j, interval, level, values);
   double differences[2] = { 0.0, 0.0 }; // when panels and rule were last made finer
   bool raised = true;
   while (raised)
@@ -293,17 +297,16 @@ bool LitTile::AddSheet(Leaf& leaf, int faces)
   this->Values.resize(sheet.Nodes + 9 * stride);
   for (int k = 0; k < 9; ++k)
   {
-    this->Evaluate(this->RayOf(leaf.I + places[k][0], leaf.J + places[k][1]), intervals[k], leaf.Level,
+    this->EvaluatePixel(leaf.I + places[k][0], leaf.J + places[k][1], intervals[k], leaf.Level,
       this->Values.data() + sheet.Nodes + static_cast<std::size_t>(k) * stride);
   }
   for (int k = 9; k < count; ++k)
   {
     const int i = leaf.I + places[k][0];
     const int j = leaf.J + places[k][1];
-    const Ray ray = this->RayOf(i, j);
-    this->Evaluate(ray, intervals[k], leaf.Level, this->Scratch[0].data());
+    this->EvaluatePixel(i, j, intervals[k], leaf.Level, this->Scratch[0].data());
     this->Blend(leaf, sheet, i, j, this->Scratch[1].data());
-    const double factor = this->CellFactor(ray, intervals[k]);
+    const double factor = this->CellFactor(this->RayOf(i, j), intervals[k]);
     if (this->Difference(this->Scratch[1].data(), this->Scratch[0].data(), factor) > leaf.Tolerance)
     {
       return false;
@@ -329,7 +332,7 @@ void LitTile::AddPixel(int i, int j, const LitLevel& level, double tolerance)
   {
     const std::size_t first = this->Values.size();
     this->Values.resize(first + this->Quadrature.Layout.Size());
-    this->Evaluate(this->RayOf(i, j), interval, level, this->Values.data() + first);
+    this->EvaluatePixel(i, j, interval, level, this->Values.data() + first);
     this->Sheets.push_back({ interval.Faces, first });
     leaf.EndOfSheets = this->Sheets.size();
   }
@@ -377,6 +380,20 @@ void LitTile::Evaluate(const Ray& ray, const LitInterval& interval, const LitLev
 {
   this->Profiler.Evaluate(ray, interval, level, values);
   this->Rays += 1;
+}
+
+void LitTile::EvaluatePixel(int i, int j, const LitInterval& interval, const LitLevel& level, float* values)
+{
+  const auto at = static_cast<std::size_t>((j - this->J0) * (Side + 1) + i - this->I0);
+  const std::size_t count = this->Quadrature.Layout.Size();
+  Computed& computed = this->ComputedPixels[at];
+  float* known = this->ComputedValues.data() + at * count;
+  if (computed.Faces != interval.Faces || computed.Level.Panels != level.Panels || computed.Level.Rule != level.Rule)
+  {
+    this->Evaluate(this->RayOf(i, j), interval, level, known);
+    computed = { interval.Faces, level };
+  }
+  std::copy_n(known, count, values);
 }
 
 double LitTile::CellFactor(const Ray& ray, const LitInterval& interval) const

@@ -70,7 +70,7 @@ private:
   void Cut(int i, int j, int size, LitLevel level, double tolerance);
   bool Affords(const LitLevel& level) const;
   void RaiseLevel(int i0, int j0, int size, LitLevel& level, double& tolerance);
-  void RaiseLevelFor(const Ray& ray, const LitInterval& interval, LitLevel& level, double& tolerance);
+  void RaiseLevelFor(int i, int j, LitLevel& level, double& tolerance);
   bool AddLeaf(int i, int j, int size, const LitLevel& level, double tolerance);
   bool AddSheet(Leaf& leaf, int faces);
   void AddPixel(int i, int j, const LitLevel& level, double tolerance);
@@ -78,6 +78,8 @@ private:
   const Leaf& LeafAt(double i, double j) const;
   void Blend(const Leaf& leaf, const Sheet& sheet, double i, double j, float* values);
   void Evaluate(const Ray& ray, const LitInterval& interval, const LitLevel& level, float* values);
+  /// The same of a pixel of the square or at its end, unless that was computed before.
+  void EvaluatePixel(int i, int j, const LitInterval& interval, const LitLevel& level, float* values);
   double CellFactor(const Ray& ray, const LitInterval& interval) const;
   double Difference(const float* a, const float* b, double factor) const;
 
@@ -98,6 +100,14 @@ private:
   std::size_t BlendedNodes = 0;
   double BlendedRow = -1.0;
   std::array<std::vector<float>, 2> Scratch;
+  /// What was computed last of the pixels of the square and at its ends.
+  struct Computed
+  {
+    int Faces = -1;
+    LitLevel Level;
+  };
+  std::vector<Computed> ComputedPixels;
+  std::vector<float> ComputedValues;
   vtkIdType Rays = 0;
 };
 

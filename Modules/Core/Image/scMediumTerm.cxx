@@ -16,12 +16,12 @@ constexpr double largestExcess = 0.005;
 } // anonymous namespace
 
 MediumTerm::MediumTerm(
-  const RenderContext& context, const LitMinusBlockedScene* lit, const PrimaryHits& hits, ScatteringImage& image)
+  const RenderContext& context, const Shared& shared, const PrimaryHits& hits, ScatteringImage& image)
   : Context(context)
   , Hits(hits)
   , Image(image)
-  , Marcher(context)
-  , Difference(lit ? std::make_unique<LitMinusBlocked>(*lit, hits, image) : nullptr)
+  , Marcher(context, shared.Legs)
+  , Difference(shared.Lit ? std::make_unique<LitMinusBlocked>(*shared.Lit, hits, image) : nullptr)
 {
 }
 

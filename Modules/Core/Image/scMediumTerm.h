@@ -26,10 +26,14 @@ namespace shadowcones
 class MediumTerm
 {
 public:
-  /// @param lit what Guided, Soft and Volume share, nullptr for the others. Everything is referred to and must outlive the
-  /// term; the image's arrays have their size.
-  MediumTerm(
-    const RenderContext& context, const LitMinusBlockedScene* lit, const PrimaryHits& hits, ScatteringImage& image);
+  /// What the terms of an image share; nullptr for what it has not.
+  struct Shared
+  {
+    const LitMinusBlockedScene* Lit = nullptr; ///< Guided, Soft and Volume
+    const LightLegs* Legs = nullptr;           ///< the others, in a varying density
+  };
+  /// Everything is referred to and must outlive the term; the image's arrays have their size.
+  MediumTerm(const RenderContext& context, const Shared& shared, const PrimaryHits& hits, ScatteringImage& image);
 
   /// Blocks of this side are rendered at once, and those of a square of the other side share what is costly to find: large
   /// ones only where there is such a thing, so that an abort is served soon.

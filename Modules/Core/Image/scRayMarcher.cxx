@@ -17,13 +17,14 @@ constexpr int keyBits = 16;
 
 } // namespace
 
-RayMarcher::RayMarcher(const RenderContext& context)
+RayMarcher::RayMarcher(const RenderContext& context, const LightLegs* legs)
   : Context(context)
   , Scene(context.Scene)
   , Groups(context.Groups)
   , NumberOfGroups(context.Groups.Count())
   , Sampler(context.Scene.Light, context.Options.Sampling)
   , OpticalDepth(context.Scene.Medium)
+  , Legs(legs)
   , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
   , Intensities(static_cast<std::size_t>(context.Strata.Count()))
 {
@@ -64,6 +65,21 @@ void RayMarcher::March(const Ray& ray, double tBegin, double tEnd, std::uint64_t
     }
     this->Add(nodes[interval.NumberOfSteps], this->PendingWeight);
   }
+}
+
+double RayMarcher::Variance() const
+{
+  if (!this->Legs)
+  {
+    return this->SumOfVariances;
+  }
+  double mean = 0.0;
+  for (std::size_t g = 0; g < this->Sums.size(); ++g)
+  {
+    mean += this->Groups.MeanScatteredRadiance[g] * this->Sums[g];
+  }
+  const double ofTable = this->Legs->ErrorOfRays * mean;
+  return this->SumOfVariances + ofTable * ofTable;
 }
 
 void RayMarcher::FindIntervals(double tBegin, double tEnd)
@@ -180,6 +196,10 @@ void RayMarcher::Evaluate(Node& node)
 
   RandomStream random(this->PixelSeed, node.Key);
   this->Sampler.MoveTo(point);
+  if (this->Legs)
+  {
+    this->Legs->LookAt(point, this->Place);
+  }
   const int count = strata.Count();
   for (int s = 0; s < count; ++s)
   {
@@ -193,7 +213,8 @@ void RayMarcher::Evaluate(Node& node)
       {
         const double cosine = Dot(sample.Direction, this->CameraRay.Direction);
         const double source = sample.Weight * EvaluatePhaseFunction(scene.Medium.Phase, cosine);
-        const double lightLeg = this->OpticalDepth.Towards(point, sample.Direction, sample.Distance);
+        const double lightLeg = this->Legs ? this->Legs->Towards(this->Place, sample.Direction, sample.Distance)
+                                           : this->OpticalDepth.Towards(point, sample.Direction, sample.Distance);
         for (int g = 0; g < groups; ++g)
         {
           const double value = source * TransmittanceOver(sigmaT[g], cameraLeg + lightLeg);

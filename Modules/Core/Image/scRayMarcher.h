@@ -6,6 +6,7 @@
 #ifndef scRayMarcher_h
 #define scRayMarcher_h
 
+#include "scLightLegs.h"
 #include "scLightSampler.h"
 #include "scMediumOpticalDepth.h"
 #include "scOccluderInterval.h"
@@ -26,7 +27,8 @@ namespace shadowcones
 class RayMarcher
 {
 public:
-  explicit RayMarcher(const RenderContext& context);
+  /// @param legs a table of the density towards the light, nullptr where there is none; it must outlive this.
+  explicit RayMarcher(const RenderContext& context, const LightLegs* legs = nullptr);
 
   /// Integrate over [tBegin, tEnd], the part of the ray inside the medium; @p pixel counts over the whole image.
   void March(const Ray& ray, double tBegin, double tEnd, std::uint64_t pixel);
@@ -34,7 +36,7 @@ public:
   /// Integral of W p(cos) T V density dt for each extinction group, to be multiplied by sigma_s L.
   const std::vector<double>& Integrals() const { return this->Sums; }
   /// Squared standard error of the mean over wavelengths of the in-scattered radiance.
-  double Variance() const { return this->SumOfVariances; }
+  double Variance() const;
   vtkIdType SampleCount() const { return this->Samples; }
   /**
    * The share of the integral by which steps may be too bright that light hardly passes: exp(-2 x) over a step of
@@ -75,6 +77,8 @@ private:
   const int NumberOfGroups;
   LightSampler Sampler;
   MediumOpticalDepth OpticalDepth;
+  const LightLegs* Legs;
+  LightLegs::Place Place; ///< of the node at hand
   const RayRules Rules; ///< for what is flush with the light
   std::vector<double> Intensities; ///< of the light samples of one node
   Ray CameraRay;

@@ -3,6 +3,7 @@
 
 #include "scDensityGrid.h"
 #include "scIndirectLight.h"
+#include "scLightLegsChoice.h"
 #include "scMediumTerm.h"
 #include "scPrimaryHits.h"
 #include "scRenderContext.h"
@@ -22,6 +23,11 @@ namespace shadowcones
 {
 namespace
 {
+/// Of the progress of an image: a varying density is looked at before.
+constexpr double shareOfPreparing = 0.1;
+/// What a table of the density towards the light may bring into marches, which err by more.
+constexpr LightLegsTolerance marchTolerance{ 2e-3, 4e-3 };
+
 /// Before anything is found.
 void SetPixels(std::size_t begin, std::size_t end, ScatteringImage& image)
 {
@@ -199,7 +205,7 @@ public:
     , Options(options)
     , Visible(VisibleLights(Scenes, options))
     , Shading(Scenes, options, Visible)
-    , Lit(Scenes.size())
+    , Kept(Scenes.size())
   {
     for (const ScatteringScene& scene : this->Scenes)
     {
@@ -212,21 +218,21 @@ public:
   {
     for (std::size_t light = 0; light < this->Scenes.size(); ++light)
     {
-      this->Lit[light] = this->PrepareLit(light);
+      this->Kept[light] = this->Prepare(light, {});
     }
   }
 
   bool Render(const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image) const;
 
 private:
-  /// nullptr where the light needs none.
-  std::unique_ptr<LitMinusBlockedScene> PrepareLit(std::size_t light) const
+  /// What the medium term of a light takes from a look at the whole image.
+  struct Prepared
   {
-    const RenderContext& context = *this->Contexts[light];
-    return IsMarched(this->Options.Mode) || !context.Groups.Scatters()
-      ? nullptr
-      : std::make_unique<LitMinusBlockedScene>(context);
-  }
+    std::unique_ptr<LitMinusBlockedScene> Lit;
+    std::unique_ptr<const LightLegs> Legs; ///< of marches
+    MediumTerm::Shared Shared() const { return { this->Lit.get(), this->Legs.get() }; }
+  };
+  std::unique_ptr<Prepared> Prepare(std::size_t light, const Monitor& monitor) const;
   bool RenderMedium(std::size_t light, const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
   bool RenderMedia(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
   bool Shade(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
@@ -238,8 +244,28 @@ private:
   const std::vector<VisibleLight> Visible;
   const ShadingScene Shading;
   std::vector<std::unique_ptr<RenderContext>> Contexts;   ///< one a light
-  std::vector<std::unique_ptr<LitMinusBlockedScene>> Lit; ///< one a light, where kept
+  std::vector<std::unique_ptr<Prepared>> Kept;            ///< one a light, where kept
 };
+
+std::unique_ptr<ImageRenderer::Prepared> ImageRenderer::Prepare(std::size_t light, const Monitor& monitor) const
+{
+  const RenderContext& context = *this->Contexts[light];
+  auto prepared = std::make_unique<Prepared>();
+  if (!context.Groups.Scatters())
+  {
+    return prepared;
+  }
+  if (!IsMarched(this->Options.Mode))
+  {
+    prepared->Lit = std::make_unique<LitMinusBlockedScene>(context, monitor);
+  }
+  else if (context.Scene.Medium.Density)
+  {
+    const LitQuadrature quadrature(context.Scene.Light, context.Scene.Medium, context.Groups);
+    prepared->Legs = ChooseLightLegs(quadrature, context.Scene.Camera, this->Options, marchTolerance, monitor);
+  }
+  return prepared;
+}
 
 /// The medium term of one light: "InScattering", "RelativeError", "SampleCount" of an image of the right size.
 bool ImageRenderer::RenderMedium(
@@ -250,8 +276,10 @@ bool ImageRenderer::RenderMedium(
   {
     return true;
   }
-  const std::unique_ptr<LitMinusBlockedScene> own = this->Lit[light] ? nullptr : this->PrepareLit(light);
-  const LitMinusBlockedScene* lit = this->Lit[light] ? this->Lit[light].get() : own.get();
+  const double prepared = context.Scene.Medium.Density && !this->Kept[light] ? shareOfPreparing : 0.0;
+  const std::unique_ptr<Prepared> own =
+    this->Kept[light] ? nullptr : this->Prepare(light, monitor.Part(0.0, prepared));
+  const MediumTerm::Shared shared = (own ? own : this->Kept[light])->Shared();
   // A square's blocks go together: they share its unshadowed light.
   std::vector<TileRange> blocks;
   std::vector<vtkIdType> squares;
@@ -265,10 +293,10 @@ bool ImageRenderer::RenderMedium(
   squares.push_back(static_cast<vtkIdType>(blocks.size()));
   std::mutex gathering;
   std::vector<std::shared_ptr<MediumTerm>> terms; // one a thread
-  const bool finished = ParallelForGroups(squares, monitor,
+  const bool finished = ParallelForGroups(squares, monitor.Part(prepared, 1.0),
     [&]() -> ItemBody
     {
-      const auto term = std::make_shared<MediumTerm>(context, lit, hits, image);
+      const auto term = std::make_shared<MediumTerm>(context, shared, hits, image);
       const std::lock_guard<std::mutex> lock(gathering);
       terms.push_back(term);
       return [term, &blocks](vtkIdType block) { term->RenderTile(blocks[static_cast<std::size_t>(block)]); };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scVisibleRatio.h"
 
+#include <algorithm>
+
 namespace shadowcones
 {
 
@@ -38,11 +40,14 @@ void VisibleRatio::Conclude(const IntervalLight& intervals, double weights)
   }
 }
 
-double VisibleRatio::SquaredError(const IntervalLight& intervals, double sampledVariance, double litError) const
+double VisibleRatio::SquaredError(
+  const IntervalLight& intervals, double sampledVariance, double litError, double weightError) const
 {
   const bool outside = intervals.Lit().Mean() > (1.0 + 1e-9) * intervals.MeanInside();
   const double hidden = outside ? 1.0 - this->MeanRatio : 0.0;
-  return sampledVariance + litError * litError * (this->MeanRatio * this->MeanRatio + hidden * hidden);
+  const double ofWeights = weightError * intervals.MeanInside();
+  return sampledVariance + litError * litError * (this->MeanRatio * this->MeanRatio + hidden * hidden) +
+    ofWeights * ofWeights * std::max(this->MeanRatio * (1.0 - this->MeanRatio), 0.0);
 }
 
 } // namespace shadowcones

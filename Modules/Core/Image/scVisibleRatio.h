@@ -41,9 +41,13 @@ public:
   void LeaveAll(const IntervalLight& intervals);
   /// @param weights sum over samples of what theirs were multiplied by.
   void Conclude(const IntervalLight& intervals, double weights);
-  /// Squared error with that of the unshadowed light, which enters by its sum in the intervals times the ratio, and by
-  /// what lies outside of them.
-  double SquaredError(const IntervalLight& intervals, double sampledVariance, double litError) const;
+  /**
+   * Squared error with that of the unshadowed light, which enters by its sum in the intervals times the ratio, and by
+   * what lies outside of them; and with that of the weights of all samples, relative: where the visible ones err one way
+   * and the hidden ones the other, as far as can be.
+   */
+  double SquaredError(
+    const IntervalLight& intervals, double sampledVariance, double litError, double weightError) const;
 
   const std::vector<double>& Left() const { return this->LeftOfGroups; } ///< per group
   double MeanLeft() const { return this->Mean; }                         ///< over wavelengths

@@ -66,6 +66,13 @@ public:
     return this->Density ? (b > a ? (this->LookUp(b) - this->LookUp(a)) / (b - a) : 0.0) : 1.0;
   }
 
+  /// Where Along() has a value, between two places where it has no more and no less.
+  double DistanceAt(double opticalDepth, double low, double high) const
+  {
+    return std::clamp(
+      this->Density ? this->LookUpDistance(opticalDepth, low, high) : this->TBegin + opticalDepth, low, high);
+  }
+
   /// The slope of Along(), which is the density between the entries of the ray's table; 1 in a homogeneous medium.
   double DensityAlong(double t) const { return this->Density ? this->LookUpDensity(t) : 1.0; }
 
@@ -107,6 +114,33 @@ private:
     const Entry& a = this->Table[k];
     const Entry& b = this->Table[k + 1];
     return a.OpticalDepth + u / this->StepsPerLength * (a.Density + 0.5 * u * (b.Density - a.Density));
+  }
+
+  double LookUpDistance(double depth, double low, double high) const
+  {
+    const std::size_t last = this->Table.size() - 1;
+    if (last == 0)
+    {
+      return low;
+    }
+    const auto entryAt = [&](double t)
+    {
+      const double step = std::max((t - this->TableBegin) * this->StepsPerLength, 0.0);
+      return step < static_cast<double>(last - 1) ? static_cast<std::size_t>(step) : last - 1;
+    };
+    std::size_t k = entryAt(low);
+    for (std::size_t to = entryAt(high); k < to;)
+    {
+      const std::size_t between = (k + to + 1) / 2;
+      this->Table[between].OpticalDepth <= depth ? k = between : to = between - 1;
+    }
+    // Within an entry the depth is a quadratic.
+    const Entry& a = this->Table[k];
+    const double rest = std::max((depth - a.OpticalDepth) * this->StepsPerLength, 0.0);
+    const double rise = this->Table[k + 1].Density - a.Density;
+    const double root = std::sqrt(std::max(a.Density * a.Density + 2.0 * rest * rise, 0.0));
+    const double u = a.Density + root > 0.0 ? 2.0 * rest / (a.Density + root) : 0.0;
+    return this->TableBegin + (static_cast<double>(k) + u) / this->StepsPerLength;
   }
 
   double LookUpDensity(double t) const
