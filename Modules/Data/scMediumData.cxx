@@ -2,6 +2,7 @@
 #include "scMediumData.h"
 
 #include "scFieldArrays.h"
+#include "scParameterRanges.h"
 #include "scSentence.h"
 
 #include "vtkFieldData.h"
@@ -27,6 +28,21 @@ bool ReadCoefficient(const char* name, const SpectrumSamples& samples, double al
     }
   }
   return true;
+}
+
+std::string CheckPhase(int kind, const double lobes[3], double asymmetry)
+{
+  const auto isBetween = [](double value, double low, double high) { return value > low && value < high; };
+  std::string fault =
+    FirstOutOfRange({ OneOf("PhaseFunction", kind, { "Isotropic", "BlasiSchlick", "HenyeyGreenstein", "Rayleigh" }),
+      { "PhaseAsymmetry", asymmetry, isBetween(asymmetry, -1.0, 1.0), "between -1 and 1" } });
+  if (fault.empty() &&
+    (!(lobes[0] >= 0.0 && lobes[0] <= 1.0) || !isBetween(lobes[1], -1.0, 1.0) || !isBetween(lobes[2], -1.0, 1.0)))
+  {
+    fault = Sentence("PhaseLobes are ", lobes[0], ", ", lobes[1], ", ", lobes[2],
+      ": the weight must be in 0..1, k1 and k2 between -1 and 1.");
+  }
+  return fault;
 }
 
 void WriteMedium(const Medium& medium, vtkFieldData* field)

@@ -23,6 +23,9 @@ namespace shadowcones
 SHADOWCONESDATA_EXPORT bool ReadCoefficient(const char* name, const SpectrumSamples& samples, double all,
   std::size_t wavelengths, std::vector<double>& values, std::string& error);
 
+/// What is wrong with a phase function as filters set it, as a sentence; empty where nothing is.
+SHADOWCONESDATA_EXPORT std::string CheckPhase(int kind, const double lobes[3], double asymmetry);
+
 /// SigmaS, SigmaA and MediumBounds as field data.
 SHADOWCONESDATA_EXPORT void WriteMedium(const Medium& medium, vtkFieldData* field);
 

@@ -39,7 +39,8 @@ enum class PreparedKind : std::uint64_t
   Proof,
   Grids,
   SoftGrids,
-  Density
+  Density,
+  Photons
 };
 
 /// All that a thing is made from.

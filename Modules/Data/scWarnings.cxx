@@ -42,6 +42,7 @@ constexpr double mostSharp = 0.25;
 constexpr double mostDropped = 0.1;
 /// Corners that differ by more than this cannot tell where between them the edge is.
 constexpr float sharpRange = 0.5f;
+constexpr double mostCutOff = 0.005;
 constexpr double mostBeyond = 0.01;
 /// Fewer places than these may well lie on one side of a shadow.
 constexpr vtkIdType fewPlaces = 10;
@@ -514,6 +515,27 @@ std::string UnusedExposure(double exposure)
   return exposure != 1.0 ? Sentence("Exposure is ", exposure,
                              ", but AutoExposure is on and finds its own: call AutoExposureOff() to use it.")
                          : std::string();
+}
+
+std::string OtherMedium(const std::string& names)
+{
+  return names.empty() ? names
+                       : Sentence("A photon map on input port 5 was made in another medium (", names,
+                           "): its light is not that of this image. Set the same on vtkPhotonMapFilter.");
+}
+
+std::string LightCutOff(double share, int maximumBounces)
+{
+  return share > mostCutOff ? Sentence(Percent(share), " of the light was still on its way after MaximumBounces = ",
+                                maximumBounces, " and is missing: raise it.")
+                            : std::string();
+}
+
+std::string NoPhotonStored(vtkIdType photons)
+{
+  return Sentence("None of ", photons,
+    " photons meets a surface or the medium after a bounce: there is no light but the direct one. Check Reflectance, "
+    "SigmaS, MediumBounds and which way the light faces.");
 }
 
 } // namespace shadowcones

@@ -105,6 +105,12 @@ SHADOWCONESDATA_EXPORT std::string MediumBeyondVolume(double share);
 /// Steps of a march that light hardly passes: @p rays that have some, @p opticalDepth of the worst.
 SHADOWCONESDATA_EXPORT std::string ThickSteps(vtkIdType rays, vtkIdType pixels, double opticalDepth, int steps);
 SHADOWCONESDATA_EXPORT std::string UnusedExposure(double exposure);
+/// @p names of what a photon map's medium differs in.
+SHADOWCONESDATA_EXPORT std::string OtherMedium(const std::string& names);
+
+/// vtkPhotonMapFilter: the largest share of a wavelength's light that was left at the last bounce.
+SHADOWCONESDATA_EXPORT std::string LightCutOff(double share, int maximumBounces);
+SHADOWCONESDATA_EXPORT std::string NoPhotonStored(vtkIdType photons);
 
 } // namespace shadowcones
 

@@ -272,6 +272,29 @@ bool FindMediumBounds(const double bounds[6], ImageScene& scene, std::string& er
   return error.empty();
 }
 
+bool ReadPhotons(
+  const ImageInputs& inputs, int neighbours, const Monitor& monitor, ImageScene& scene, std::string& error)
+{
+  if (inputs.PhotonMaps->GetNumberOfInformationObjects() == 0)
+  {
+    return true;
+  }
+  scene.Photons = PreparePhotons(
+    scene.Prepared, inputs.PhotonMaps, scene.Lights.Wavelengths.size(), neighbours, monitor, error);
+  if (!scene.Photons)
+  {
+    error = error.empty() ? error : "Photon map (input port 5): " + error;
+    return false;
+  }
+  std::vector<std::uint64_t> lights;
+  for (const Light& light : scene.Lights.Lights)
+  {
+    lights.push_back(FingerprintOf(light));
+  }
+  ComparePhotonMaps(inputs.PhotonMaps, scene.Medium, lights, scene.CastersFingerprints, scene.Said);
+  return true;
+}
+
 bool ChooseCamera(vtkCamera* given, const int resolution[2], ImageScene& scene, std::string& error)
 {
   if (given)
@@ -312,7 +335,8 @@ bool RenderScene(ImageScene& scene, const std::vector<std::array<int, 4>>& exten
   for (std::size_t k = 0; k < lights.size(); ++k)
   {
     scenes.push_back({ occluders->Scene, lights[k], scene.Medium, scene.Camera, cones ? cones->OfLights[k].get() : nullptr,
-      scene.Grids ? &scene.Grids->Grids[k] : nullptr, scene.Grids ? scene.Grids->Layouts[k].get() : nullptr });
+      scene.Grids ? &scene.Grids->Grids[k] : nullptr, scene.Grids ? scene.Grids->Layouts[k].get() : nullptr,
+      scene.Photons ? &scene.Photons->Estimates : nullptr });
   }
   return RenderScattering(scenes, scene.Options, extents, monitor.Part(isSoft ? shareOfSoft : 0.0, 1.0), images);
 }

@@ -9,6 +9,7 @@
 #include "scCamera.h"
 #include "scInputStamp.h"
 #include "scMedium.h"
+#include "scPhotonData.h"
 #include "scPreparedInputs.h"
 #include "scScatteringImage.h"
 #include "scScatteringOptions.h"
@@ -43,6 +44,7 @@ struct ImageInputs
   vtkImageData* Visibility;
   vtkImageData* Density;
   vtkDataArray* DensityValues; ///< the one that was chosen; nullptr: the usual one
+  vtkInformationVector* PhotonMaps; ///< the port's connections
 };
 
 /// All that is rendered.
@@ -63,6 +65,7 @@ struct ImageScene
   std::vector<Cone> Cones;
   std::shared_ptr<const PreparedGrids> Grids; ///< one a light; Volume: as read; Soft: filled by RenderScene()
   std::shared_ptr<const PreparedDensity> Density;
+  std::shared_ptr<const PreparedPhotons> Photons; ///< nullptr where no photon map is connected
   std::vector<InputStamp> LightStamps;
   std::vector<InputStamp> ConeStamps; ///< of all that the lights' cones are made from
   shadowcones::Medium Medium;
@@ -90,6 +93,13 @@ bool ReadInputs(const ImageInputs& inputs, ImageScene& scene, std::string& error
  * @return false, with a sentence in @p error.
  */
 bool FindMediumBounds(const double bounds[6], ImageScene& scene, std::string& error);
+
+/**
+ * Read and prepare photon maps, where any is connected; the medium is known. @return false, with a sentence in @p error, or
+ * without one where aborted.
+ */
+bool ReadPhotons(
+  const ImageInputs& inputs, int neighbours, const Monitor& monitor, ImageScene& scene, std::string& error);
 
 /**
  * The camera to render with: @p given, or one that looks at the front of the mesh, or without one at the medium.

@@ -44,7 +44,9 @@ constexpr int lightPort = 1;
 constexpr int coneSetPort = 2;
 constexpr int visibilityVolumePort = 3;
 constexpr int densityPort = 4;
-constexpr double shareOfCoarse = 0.1; // of the progress, where coarse pictures come first
+constexpr int photonMapPort = 5;
+constexpr double shareOfPhotons = 0.1; // of the progress, where photon maps are prepared
+constexpr double shareOfCoarse = 0.1;  // of the rest, where coarse pictures come first
 
 ToneMapping MappingBy(const std::vector<double>& wavelengths, double exposure, int curve)
 {
@@ -58,7 +60,7 @@ vtkScatteringImageFilter::vtkScatteringImageFilter()
   : Kept(std::make_unique<KeptImage>())
   , Prepared(std::make_unique<PreparedUser>())
 {
-  this->SetNumberOfInputPorts(5);
+  this->SetNumberOfInputPorts(6);
   this->GetInformation()->Remove(INPUT_ARRAYS_TO_PROCESS()); // the superclass chooses scalars of the mesh
 }
 
@@ -73,9 +75,25 @@ scDefineLightPort(vtkScatteringImageFilter, lightPort);
 scDefineInputPort(vtkScatteringImageFilter, ConeSet, coneSetPort);
 scDefineInputPort(vtkScatteringImageFilter, VisibilityVolume, visibilityVolumePort);
 scDefineInputPort(vtkScatteringImageFilter, Density, densityPort);
+scDefineInputPort(vtkScatteringImageFilter, PhotonMap, photonMapPort);
 scDefinePreparedScene(vtkScatteringImageFilter);
 scDefineSpectrum(vtkScatteringImageFilter, SigmaS);
 scDefineSpectrum(vtkScatteringImageFilter, SigmaA);
+
+void vtkScatteringImageFilter::AddPhotonMapConnection(vtkAlgorithmOutput* photons)
+{
+  this->AddInputConnection(photonMapPort, photons);
+}
+
+void vtkScatteringImageFilter::AddPhotonMapData(vtkDataObject* photons)
+{
+  this->AddInputDataInternal(photonMapPort, photons);
+}
+
+void vtkScatteringImageFilter::RemoveAllPhotonMaps()
+{
+  this->RemoveAllInputConnections(photonMapPort);
+}
 
 void vtkScatteringImageFilter::SetPhasePreset(const SchlickLobes& lobes)
 {
@@ -148,7 +166,12 @@ vtkMTimeType vtkScatteringImageFilter::GetMTime()
 
 int vtkScatteringImageFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  FillScenePortInformation(port, meshPort, lightPort, port == coneSetPort ? "vtkPolyData" : "vtkImageData", info);
+  const bool isPolyData = port == coneSetPort || port == photonMapPort;
+  FillScenePortInformation(port, meshPort, lightPort, isPolyData ? "vtkPolyData" : "vtkImageData", info);
+  if (port == photonMapPort)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
   return 1;
 }
 
@@ -180,11 +203,8 @@ int vtkScatteringImageFilter::RequestUpdateExtent(vtkInformation*, vtkInformatio
 std::string vtkScatteringImageFilter::CheckParameters() const
 {
   const auto isBetween = [](double value, double low, double high) { return value > low && value < high; };
-  const double* lobes = this->PhaseLobes;
   std::string fault = FirstOutOfRange({
     OneOf("Mode", this->Mode, { "BruteForce", "Medium", "Fast", "Guided", "Soft", "Volume" }),
-    OneOf("PhaseFunction", this->PhaseFunction, { "Isotropic", "BlasiSchlick", "HenyeyGreenstein", "Rayleigh" }),
-    { "PhaseAsymmetry", this->PhaseAsymmetry, isBetween(this->PhaseAsymmetry, -1.0, 1.0), "between -1 and 1" },
     { "RelativeErrorGoal", this->RelativeErrorGoal, this->RelativeErrorGoal >= 0.0, "0 or above" },
     { "MaximumSamples", this->MaximumSamples * 1.0, this->MaximumSamples >= 1, "at least 1" },
     InRange("NumberOfSoftLightSamples", this->NumberOfSoftLightSamples, 1, mostLightSamples),
@@ -195,15 +215,14 @@ std::string vtkScatteringImageFilter::CheckParameters() const
     InRange("NumberOfSurfaceLightSamples", this->NumberOfSurfaceLightSamples, 0, mostLightSamples),
     InRange("NumberOfEdgeSamples", this->NumberOfEdgeSamples, 1, 1024),
     { "Reflectance", this->Reflectance, this->Reflectance >= 0.0 && this->Reflectance <= 1.0, "in 0..1" },
+    { "PhotonNeighbors", this->PhotonNeighbors * 1.0, this->PhotonNeighbors >= 0, "0 (automatic) or above" },
     { "ConeLength", this->ConeLength, this->ConeLength >= 0.0, "0 (not cut) or above" },
     OneOf("ToneCurve", this->ToneCurve, { "Linear", "Filmic" }),
     { "Exposure", this->Exposure, isBetween(this->Exposure, 0.0, HUGE_VAL), "above 0 and finite" },
   });
-  if (fault.empty() &&
-    (!(lobes[0] >= 0.0 && lobes[0] <= 1.0) || !isBetween(lobes[1], -1.0, 1.0) || !isBetween(lobes[2], -1.0, 1.0)))
+  if (fault.empty())
   {
-    fault = Sentence("PhaseLobes are ", lobes[0], ", ", lobes[1], ", ", lobes[2],
-      ": the weight must be in 0..1, k1 and k2 between -1 and 1.");
+    fault = CheckPhase(this->PhaseFunction, this->PhaseLobes, this->PhaseAsymmetry);
   }
   return fault.empty() ? CheckDimensions("SoftDimensions", this->SoftDimensions) : fault;
 }
@@ -235,7 +254,7 @@ bool vtkScatteringImageFilter::ReadScene(vtkInformationVector** inputs, ImageSce
 {
   ImageInputs data{ vtkDataObject::GetData(inputs[meshPort]), inputs[lightPort],
     vtkPolyData::GetData(inputs[coneSetPort]), vtkImageData::GetData(inputs[visibilityVolumePort]),
-    vtkImageData::GetData(inputs[densityPort]), nullptr };
+    vtkImageData::GetData(inputs[densityPort]), nullptr, inputs[photonMapPort] };
   shadowcones::Medium& medium = scene.Medium;
   medium.Phase = { static_cast<PhaseFunctionKind>(this->PhaseFunction),
     { this->PhaseLobes[0], this->PhaseLobes[1], this->PhaseLobes[2] }, this->PhaseAsymmetry };
@@ -245,9 +264,12 @@ bool vtkScatteringImageFilter::ReadScene(vtkInformationVector** inputs, ImageSce
     return ReadCoefficient("SigmaS", this->SigmaSSpectrum, this->SigmaS, wavelengths, medium.SigmaS, error) &&
       ReadCoefficient("SigmaA", this->SigmaASpectrum, this->SigmaA, wavelengths, medium.SigmaA, error);
   };
+  const Monitor watch = MonitorOf(this).Part(0.0, shareOfPhotons);
+  const auto readPhotons = [&] { return ReadPhotons(data, this->PhotonNeighbors, watch, scene, error); };
   return ChooseDensity(this, densityPort, data.Density, data.DensityValues, error) &&
     CheckInputs(data, scene.Options.Mode, error) && ReadInputs(data, scene, error) && readCoefficients() &&
-    FindMediumBounds(this->MediumBounds, scene, error) && ChooseCamera(this->Camera, this->Resolution, scene, error);
+    FindMediumBounds(this->MediumBounds, scene, error) && readPhotons() &&
+    ChooseCamera(this->Camera, this->Resolution, scene, error);
 }
 
 vtkImageData* vtkScatteringImageFilter::GetPicture()
@@ -307,7 +329,7 @@ bool vtkScatteringImageFilter::RenderMissing(
   const auto start = std::chrono::steady_clock::now();
   try
   {
-    const Monitor monitor = MonitorOf(this);
+    const Monitor monitor = MonitorOf(this).Part(scene.Photons ? shareOfPhotons : 0.0, 1.0);
     const bool rises = this->Progressive && rendersPixels && IsWhole(extent, this->Resolution);
     if ((rises && !this->ShowCoarse(scene, monitor.Part(0.0, shareOfCoarse))) ||
       !RenderScene(scene, extents, monitor.Part(rises ? shareOfCoarse : 0.0, 1.0), images))
@@ -415,6 +437,7 @@ void vtkScatteringImageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfEdgeSamples: " << this->NumberOfEdgeSamples << "\n";
   os << indent << "LightVisible: " << (this->LightVisible ? "On" : "Off") << "\n";
   os << indent << "Reflectance: " << this->Reflectance << "\n";
+  os << indent << "PhotonNeighbors: " << this->PhotonNeighbors << "\n";
   os << indent << "ConeLength: " << this->ConeLength << "\n";
   os << indent << "AutoExposure: " << (this->AutoExposure ? "On" : "Off") << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";

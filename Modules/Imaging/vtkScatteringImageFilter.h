@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// One file because it is the manual of one filter.
 /**
  * @class vtkScatteringImageFilter
  * @brief The light shafts that a camera sees in a participating medium lit by an area light.
@@ -29,7 +30,9 @@
  * the Shadow Terminator", 2021): the shadow that a body casts on itself ends smoothly. Their shadows are traced with rays, in
  * Medium, Guided and Volume only where cones (without a cone set: marked points of the volume) reach. In Fast they are
  * dark inside the cones of *other* occluders than their own; in Soft their shadow is that of the grid one cell above.
- * There is no multiple scattering and no light from surface to surface.
+ * That is single scattering and direct light. With photon maps on port 5 light that took more scatterings and reflections is
+ * added, in every mode: in the medium by the beam radiance estimate (Jarosz, Zwicker and Jensen, Eurographics 2008), on
+ * surfaces by the nearest photons. Its noise and blur are those of the maps: see PhotonNeighbors.
  *
  * Input ports:
  * - 0, vtkPolyData: the mesh that casts and receives shadows; polygons and strips. Cell data "OccluderId" (int, 1
@@ -50,11 +53,14 @@
  *   "Density", else the active scalars, else the first array (1 component, 0 and above). Trilinear between its
  *   points, constant along an axis with a single one; where it does not reach there is no medium. Without it the density
  *   is 1.
+ * - 5, vtkPolyData, optional, used in every mode: photon maps, output ports 0 and 1 of vtkPhotonMapFilter, one a connection
+ *   in any order; one of them alone adds its own part. Several of a kind, of different Seed, are averaged: each more lowers noise
+ *   and blur. Photons that have not bounced are left out: their light is in the image already.
  *
  * Output port 0, vtkImageData of Resolution[0] x Resolution[1] x 1 points; point (i, j) is a pixel, j upwards. Point
  * data:
  * - "Radiance" (float, one component a wavelength sample, W m^-2 sr^-1): InScattering + SurfaceRadiance + the light
- *   itself.
+ *   itself, with photon maps + MultipleScattering + IndirectSurface.
  * - "InScattering" (float, one component a wavelength sample): the medium term alone, up to the first surface.
  * - "SurfaceRadiance" (float, one component a wavelength sample): of the first surface, as seen through the medium. At
  *   edges these two, as the light itself, are means over the pixel; all else is of the ray through its centre.
@@ -73,6 +79,10 @@
  *   Soft, whose shadows of surfaces have an unknown error. 0 where there is no surface, or none that faces a light; 1
  *   where SurfaceRadiance is 0 because no sample saw any light. Of several lights as "RelativeError".
  * - "SampleCount" (int): light samples taken for the medium term; in Volume and Soft places of the grid read.
+ * - With photon maps "MultipleScattering" (float, one component a wavelength sample): what the medium scatters towards the camera
+ *   of light that was scattered or reflected before; "IndirectSurface" (float, one component a wavelength sample): what the
+ *   first surface reflects of such light, as seen through the medium; "PhotonError" (float): one standard error of the two over
+ *   their sum, mean over wavelengths, of the photons' noise as if they were independent; their blur is not in it.
  * - "RGB" (unsigned char, 3 components, the active scalars): Radiance times the exposure through ToneCurve as sRGB; equal
  *   energy is white, and what is negative within its error black.
  *
@@ -99,7 +109,7 @@
  * cannot know whether the volume was made for this light and mesh. Near and far clipping planes, window centre, view
  * shear and lens parameters of the camera are not used.
  *
- * @sa vtkConeSetFilter vtkVisibilityVolume vtkAreaLightSource vtkLabelOccluders
+ * @sa vtkPhotonMapFilter vtkConeSetFilter vtkVisibilityVolume vtkAreaLightSource vtkLabelOccluders
  */
 #ifndef vtkScatteringImageFilter_h
 #define vtkScatteringImageFilter_h
@@ -195,6 +205,18 @@ public:
    */
   void SetDensityConnection(vtkAlgorithmOutput* density);
   void SetDensityData(vtkDataObject* density); ///< The density as a data object, without a pipeline.
+  ///@}
+
+  ///@{
+  /**
+   * Photon maps, input port 5: output ports 0 (surfaces) and 1 (medium) of vtkPhotonMapFilter, both or one of them. Optional,
+   * used in every mode. Set replaces all of them. Maps of a kind are averaged.
+   */
+  void SetPhotonMapConnection(vtkAlgorithmOutput* photons);
+  void SetPhotonMapData(vtkDataObject* photons);            ///< A photon map as a data object, without a pipeline.
+  void AddPhotonMapConnection(vtkAlgorithmOutput* photons); ///< One more photon map.
+  void AddPhotonMapData(vtkDataObject* photons);            ///< One more photon map as a data object, without a pipeline.
+  void RemoveAllPhotonMaps();                               ///< No photon map is connected from here on.
   ///@}
 
   ///@{
@@ -430,6 +452,16 @@ public:
 
   ///@{
   /**
+   * Neighbours of a photon within its radius: fewer are sharper, more are smoother. Default: 0, which takes 64 in the medium
+   * and 0.1 N^(2/3) of N photons (32 to 4096) on surfaces, so that noise and blur shrink together as maps grow. Valid: 0 and
+   * above.
+   */
+  vtkSetMacro(PhotonNeighbors, int);
+  vtkGetMacro(PhotonNeighbors, int); ///< Neighbours of a photon within its radius; 0: automatic.
+  ///@}
+
+  ///@{
+  /**
    * Cones count up to this distance from their base only, world units (section 5 of the paper). Default: 0, not cut.
    * Valid: 0 and above.
    */
@@ -574,6 +606,7 @@ private:
   int NumberOfEdgeSamples = 4;
   bool LightVisible = true;
   double Reflectance = 0.5;
+  int PhotonNeighbors = 0;
   double ConeLength = 0.0;
   bool AutoExposure = true;
   double Exposure = 1.0;

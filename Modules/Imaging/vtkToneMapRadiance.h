@@ -7,7 +7,8 @@
  * multiplied by the exposure, goes through the tone curve and is encoded as sRGB. 0 and less is black, and with the linear
  * curve 1 and more is full.
  *
- * With AutoExposure white is the 99th percentile of the luminance of "InScattering" + "SurfaceRadiance": a lamp that the camera
+ * With AutoExposure white is the 99th percentile of the luminance of "InScattering" + "SurfaceRadiance" (+ "MultipleScattering" +
+ * "IndirectSurface", where they are there): a lamp that the camera
  * sees does not darken what it lights. An image that lacks one of them is exposed by "Radiance" alone, its lamp included. Where
  * the percentile is 0 the largest luminance is white; where all is black the exposure is 1. The percentile is taken over fixed
  * pixels of the whole image: squares in the middle of its tiles of 32 x 32 pixels, some 4,096 pixels, all of a smaller image.

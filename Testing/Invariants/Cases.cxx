@@ -12,6 +12,7 @@
 #include "vtkLabelOccluders.h"
 #include "vtkLightShafts.h"
 #include "vtkPenumbraWidth.h"
+#include "vtkPhotonMapFilter.h"
 #include "vtkScatteringImageFilter.h"
 #include "vtkShadowFootprints.h"
 #include "vtkShadowVectorFilter.h"
@@ -461,6 +462,37 @@ Setting LightShafts(Size size)
   return { filter, { { 0, Room() }, { 1, Lamp() } } };
 }
 
+/// A haze in which wavelengths fade in two ways.
+template <typename Filter>
+void SetHaze(Filter* filter)
+{
+  filter->SetSigmaS(0.2);
+  filter->SetSigmaASpectrum(1, 0.4);
+  filter->SetPhasePresetToHazyMie();
+  filter->SetMediumBounds(-2.75, 2.75, 0.0, 5.2, -2.75, 2.75);
+}
+
+Setting PhotonMap(Size size)
+{
+  auto filter = vtkSmartPointer<vtkPhotonMapFilter>::New();
+  filter->SetNumberOfPhotons(size == Size::Small ? 3000 : 400000);
+  SetHaze(filter.GetPointer());
+  return { filter, { { 0, Room() }, { 1, Lamp() } } };
+}
+
+Setting ScatteringWithPhotons(Size size)
+{
+  static const vtkSmartPointer<vtkPolyData> photons = [] {
+    Setting setting = PhotonMap(Size::Small);
+    setting.Connect();
+    return Take(setting.Filter, 1);
+  }();
+  Setting setting = ScatteringImage(size, vtkScatteringImageFilter::Fast);
+  SetHaze(vtkScatteringImageFilter::SafeDownCast(setting.Filter));
+  setting.Inputs.emplace_back(5, photons);
+  return setting;
+}
+
 Setting ToneMap(Size)
 {
   static const vtkSmartPointer<vtkImageData> image = []
@@ -537,6 +569,8 @@ const std::vector<Case>& AllCases()
       [](Size size) { return OfTwoLamps(ScatteringImage(size, vtkScatteringImageFilter::Soft)); }, false },
     { "LightShafts", LightShafts, true, false },
     { "ToneMapRadiance", ToneMap, false },
+    { "PhotonMap", PhotonMap },
+    { "ScatteringWithPhotons", ScatteringWithPhotons },
     { "ScatteringVolumeFog", [](Size size) { return ScatteringImage(size, vtkScatteringImageFilter::Volume, true); } },
   };
   return cases;

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace shadowcones
@@ -40,6 +41,7 @@ bool PhotonDiscs::Build(StoredPhotons photons, int neighbours, const Monitor& mo
   }
   this->Nodes.reserve(this->Discs.size() / discsOfLeaf * 4 + 1);
   this->BuildNode(0, this->Discs.size());
+  this->SortPhotons();
   return !monitor.IsAborted();
 }
 
@@ -144,6 +146,31 @@ void PhotonDiscs::BuildNode(std::size_t begin, std::size_t end)
   node.Right = static_cast<int>(this->Nodes.size());
   this->Nodes[index] = node;
   this->BuildNode(middle, end);
+}
+
+/// Photons in the order of their discs: those that a ray gathers lie together in memory.
+void PhotonDiscs::SortPhotons()
+{
+  const auto sort = [this](auto& values, std::size_t components)
+  {
+    std::decay_t<decltype(values)> sorted(values.size());
+    for (std::size_t k = 0; k < this->Discs.size() && !values.empty(); ++k)
+    {
+      const std::size_t from = static_cast<std::size_t>(this->Discs[k].Photon) * components;
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(from), components,
+        sorted.begin() + static_cast<std::ptrdiff_t>(k * components));
+    }
+    values = std::move(sorted);
+  };
+  sort(this->Stored.Points, 3);
+  sort(this->Stored.Directions, 3);
+  sort(this->Stored.Normals, 3);
+  sort(this->Stored.Powers, this->Stored.NumberOfWavelengths);
+  sort(this->Stored.Bounces, 1);
+  for (std::size_t k = 0; k < this->Discs.size(); ++k)
+  {
+    this->Discs[k].Photon = static_cast<int>(k);
+  }
 }
 
 double PhotonDiscs::MeanRadius() const

@@ -29,7 +29,7 @@ public:
   /// Nothing until Build().
   PhotonDiscs() = default;
 
-  /// Take photons whose discs are to hold so many neighbours. @return false where aborted.
+  /// Take photons, whose order changes, and whose discs are to hold so many neighbours. @return false where aborted.
   bool Build(StoredPhotons photons, int neighbours, const Monitor& monitor);
 
   /// A disc that a ray pierces.
@@ -72,6 +72,7 @@ private:
   std::vector<vtkIdType> ChosenFor(int neighbours) const;
   bool FindRadii(int neighbours, const Monitor& monitor);
   void BuildNode(std::size_t begin, std::size_t end);
+  void SortPhotons();
   static bool MeetsRay(
     const Node& node, const double (&origin)[3], const double (&inverse)[3], RayInterval part);
 

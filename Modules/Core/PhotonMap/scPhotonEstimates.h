@@ -29,7 +29,7 @@ struct PhotonEstimates
  * shrink together as it grows. In the medium a ray gathers ever more discs of the same number of neighbours.
  */
 SHADOWCONESCORE_EXPORT int NeighboursOnSurfaces(vtkIdType photons);
-constexpr int NeighboursInMedium = 128;
+constexpr int NeighboursInMedium = 64;
 
 /// @param neighbours 0: as many as the functions above say. @return false where aborted.
 SHADOWCONESCORE_EXPORT bool PreparePhotonEstimates(StoredPhotons surface, StoredPhotons volume, int neighbours,

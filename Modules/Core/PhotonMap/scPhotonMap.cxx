@@ -18,8 +18,9 @@ namespace
 {
 /// Photons that a thread takes at once: few, so that an abort is served soon, since a path may be long.
 constexpr vtkIdType photonsPerTask = 128;
-/// Tasks between two looks at how much is stored.
+/// Tasks between two looks at how much is stored, at most; and looks, at least, where there are so many tasks.
 constexpr vtkIdType tasksPerRound = 512;
+constexpr vtkIdType fewestRounds = 8;
 
 /// For random numbers that no emission uses.
 constexpr std::uint64_t pathStream = 0x70686F746F6E73ull;
@@ -148,7 +149,9 @@ bool TracePhotonMap(
   const PhotonSource source(scene, options);
   const vtkIdType first = PieceBound(options.NumberOfPhotons, options.Piece, options.NumberOfPieces);
   const vtkIdType last = PieceBound(options.NumberOfPhotons, options.Piece + 1, options.NumberOfPieces);
-  constexpr vtkIdType photonsPerRound = photonsPerTask * tasksPerRound;
+  const vtkIdType tasksOfAll = (last - first + photonsPerTask - 1) / photonsPerTask;
+  const vtkIdType photonsPerRound =
+    photonsPerTask * std::clamp<vtkIdType>(tasksOfAll / fewestRounds, 1, tasksPerRound);
   for (vtkIdType round = first; round < last; round += photonsPerRound)
   {
     const vtkIdType end = std::min(last, round + photonsPerRound);
@@ -172,7 +175,7 @@ bool TracePhotonMap(
     for (PhotonMap& part : parts)
     {
       Append(map, part);
-      part = {};
+      part = PhotonMap();
     }
     ThrowIfTooMany(map.Surface, "surface", options.MaximumStored);
     ThrowIfTooMany(map.Volume, "volume", options.MaximumStored);

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which estimate of multiple scattering to take: discs that a ray pierces, or nearest photons at steps along it.
+//
+// A point source in an infinite medium that scatters alike into all directions, of which the exact light is known
+// (Testing/Support/PointSource.h). Rays pass the source at 0.1 to 3 mean free paths. The error is the root mean square of
+// what is found less the exact value, over the mean exact value; times are of one thread and of a ray.
+#include "PointSource.h"
+#include "TestLights.h"
+#include "scPhotonEstimates.h"
+#include "scPhotonMap.h"
+#include "scPointTree.h"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace shadowcones;
+using namespace testsupport;
+
+namespace
+{
+
+constexpr double reach = 6.0; // rays run from -reach to reach, in mean free paths
+constexpr double fourPi = 4.0 * Pi;
+
+struct LookedAt
+{
+  Ray Line;
+  double Exact = 0.0; ///< radiance of light that has been scattered before
+};
+
+std::vector<LookedAt> RaysPastSource(double albedo)
+{
+  std::vector<LookedAt> rays;
+  constexpr int offsets = 16;
+  constexpr int turns = 24;
+  for (int i = 0; i < offsets; ++i)
+  {
+    const double offset = 0.1 * std::pow(30.0, i / (offsets - 1.0));
+    double exact = 0.0;
+    const int steps = 600;
+    for (int k = 0; k < steps; ++k)
+    {
+      const double z = reach * (2.0 * (k + 0.5) / steps - 1.0);
+      const double r = std::hypot(offset, z);
+      const double scattered = ExactFluence(albedo, r) - std::exp(-r) / (fourPi * r * r);
+      exact += std::exp(-(z + reach)) * albedo / fourPi * scattered * 2.0 * reach / steps;
+    }
+    for (int turn = 0; turn < turns; ++turn)
+    {
+      const double angle = 2.0 * Pi * (turn + 0.37 * i) / turns;
+      rays.push_back({ { { offset * std::cos(angle), offset * std::sin(angle), -reach }, { 0.0, 0.0, 1.0 } }, exact });
+    }
+  }
+  return rays;
+}
+
+/// What one estimate found, over all maps.
+struct Figures
+{
+  double Squares = 0.0;
+  double Difference = 0.0;
+  double Seconds = 0.0;
+  int Rays = 0;
+};
+using Table = std::map<std::pair<std::string, int>, Figures>;
+
+void Measure(Figures& figures, const std::vector<LookedAt>& rays, const std::function<double(const Ray&)>& estimate)
+{
+  const auto start = std::chrono::steady_clock::now();
+  for (const LookedAt& ray : rays)
+  {
+    const double difference = estimate(ray.Line) - ray.Exact;
+    figures.Squares += difference * difference;
+    figures.Difference += difference;
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  figures.Seconds += seconds.count();
+  figures.Rays += static_cast<int>(rays.size());
+}
+
+double ByDiscs(const PhotonDiscs& discs, const Ray& ray)
+{
+  double sum = 0.0;
+  discs.ForEachPierced(ray, { 0.0, 2.0 * reach }, 0.0,
+    [&](const PhotonDiscs::Pierced& pierced)
+    {
+      sum += pierced.Kernel * std::exp(-pierced.T) / fourPi *
+        static_cast<double>(*discs.Photons().Power(pierced.Photon));
+    });
+  return sum;
+}
+
+double ByMarch(const StoredPhotons& photons, const PointTree& tree, int neighbours, int steps, const Ray& ray)
+{
+  std::vector<vtkIdType> found;
+  std::vector<double> squared;
+  double sum = 0.0;
+  for (int k = 0; k < steps; ++k)
+  {
+    const double t = 2.0 * reach * (k + 0.5) / steps;
+    tree.NearestTo(ray.Origin + t * ray.Direction, neighbours, found, squared);
+    double power = 0.0;
+    for (std::size_t i = 0; i + 1 < found.size(); ++i) // the last one marks the ball's border
+    {
+      power += static_cast<double>(*photons.Power(found[i]));
+    }
+    const double radius = std::sqrt(squared.back());
+    sum += std::exp(-t) * power / (fourPi / 3.0 * radius * radius * radius) / fourPi * 2.0 * reach / steps;
+  }
+  return sum;
+}
+
+void MeasureMap(const StoredPhotons& photons, const std::vector<LookedAt>& rays, Table& table)
+{
+  for (const int neighbours : { 16, 32, 64, 128, 256, 512 })
+  {
+    PhotonDiscs discs;
+    discs.Build(photons, neighbours, {});
+    Measure(table[{ "discs", neighbours }], rays, [&](const Ray& ray) { return ByDiscs(discs, ray); });
+  }
+  Box bounds;
+  for (vtkIdType id = 0; id < photons.Count(); ++id)
+  {
+    bounds.Add(photons.Point(id));
+  }
+  const PointTree tree(bounds, photons.Count(), [&](vtkIdType id) { return photons.Point(id); });
+  for (const int steps : { 16, 64 })
+  {
+    for (const int neighbours : { 16, 64, 256 })
+    {
+      Measure(table[{ "march of " + std::to_string(steps) + " steps", neighbours }], rays,
+        [&](const Ray& ray) { return ByMarch(photons, tree, neighbours, steps, ray); });
+    }
+  }
+}
+} // anonymous namespace
+
+int main(int argc, char* argv[])
+{
+  CLI::App app("Estimates of multiple scattering against the exact light around a point source");
+  vtkIdType count = 50000;
+  double albedo = 0.9;
+  int maps = 4;
+  app.add_option("--photons", count, "photons to emit for a map (default: 50000)");
+  app.add_option("--albedo", albedo, "albedo of the medium (default: 0.9)");
+  app.add_option("--maps", maps, "maps of other seeds (default: 4)");
+  CLI11_PARSE(app, argc, argv);
+
+  Medium medium;
+  medium.SigmaS = { albedo };
+  medium.SigmaA = { 1.0 - albedo };
+  medium.Bounds = { { -200.0, -200.0, -200.0 }, { 200.0, 200.0, 200.0 } };
+  const std::vector<Light> lights = { PointLight({}, { 1.0 / fourPi }) };
+  const OccluderScene scene{ TriangleMeshView{} };
+  const std::vector<LookedAt> rays = RaysPastSource(albedo);
+  double mean = 0.0;
+  for (const LookedAt& ray : rays)
+  {
+    mean += ray.Exact / static_cast<double>(rays.size());
+  }
+  Table table;
+  for (int seed = 1; seed <= maps; ++seed)
+  {
+    PhotonMapOptions options;
+    options.NumberOfPhotons = count;
+    options.Seed = static_cast<std::uint64_t>(seed);
+    PhotonMap map;
+    TracePhotonMap({ scene, lights, medium }, options, {}, map);
+    MeasureMap(map.Volume, rays, table);
+  }
+  std::printf("%d maps of %lld photons, albedo %g\n\n| estimate | neighbours | error | mean difference | us a ray |\n"
+              "|---|---|---|---|---|\n",
+    maps, static_cast<long long>(count), albedo);
+  for (const auto& [key, figures] : table)
+  {
+    std::printf("| %s | %d | %.4f | %+.4f | %.0f |\n", key.first.c_str(), key.second,
+      std::sqrt(figures.Squares / figures.Rays) / mean, figures.Difference / figures.Rays / mean,
+      1e6 * figures.Seconds / figures.Rays);
+  }
+  return 0;
+}
