@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Get ParaView, build the plugin for it and test it, on Debian 12 or 13:
+# Get ParaView, build the plugin for it and test it, on Debian:
 #   sh Utilities/paraview.sh [--if-there] [--try-13 FOLDER]
 # A second run takes seconds. PARAVIEW_PREFIX in the environment names an unpacked ParaView to use instead of a download.
 set -eu

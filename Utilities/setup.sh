@@ -105,7 +105,8 @@ make_system()
 in_system()
 {
   unshare --mount sh -c 'system=$1; shift; mount -t proc proc "$system/proc" && mount --bind /dev "$system/dev" &&
-    exec chroot "$system" env -i HOME=/ PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 "$@"' in_system "$@"
+    exec chroot "$system" env -i HOME=/ PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+      DEBIAN_FRONTEND=noninteractive sh -c "dpkg --configure -a >/dev/null 2>&1; exec \"\$@\"" in_system "$@" </dev/null' in_system "$@"
 }
 
 # Copy what is in this tree, without what was built, to a folder.

@@ -29,7 +29,8 @@ if (SHADOWCONES_BUILD_TESTING)
   # The window is looked at by the system's Python, which has VTK and numpy.
   find_program(SYSTEM_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
   if (PVPYTHON_EXECUTABLE AND XVFB_RUN)
-    set(pvpython "${XVFB_RUN}" -a -s "-screen 0 1280x1024x24" "${PVPYTHON_EXECUTABLE}")
+    # A screen starts anew when its last window closes, unless told otherwise: a new session would find none meanwhile.
+    set(pvpython "${XVFB_RUN}" -a -s "-screen 0 1280x1024x24 -noreset" "${PVPYTHON_EXECUTABLE}")
     add_test(NAME ParaView.chair
       COMMAND ${pvpython} "${PROJECT_SOURCE_DIR}/Examples/ParaView/chair.py" --size 48
         --plugin "$<TARGET_FILE:ShadowConesParaView>" --output "${CMAKE_BINARY_DIR}/chair")

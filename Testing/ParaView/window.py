@@ -46,7 +46,7 @@ class Window:
         self.log = os.path.join(self.folder, "log")
         read, write = os.pipe()
         self.screen = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{size[0]}x{size[1]}x24", "-fbdir", self.folder],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{size[0]}x{size[1]}x24", "-noreset", "-fbdir", self.folder],
             pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as answer:
@@ -84,7 +84,7 @@ def truth_of(window, pvpython, plugin, mesh, shape):
     script, path = os.path.join(window.folder, "truth.py"), os.path.join(window.folder, "truth.png")
     with open(script, "w", encoding="utf-8") as stream:
         stream.write(TRUTH.format(plugin=plugin, mesh=mesh, path=path, width=shape[1], height=shape[0]))
-    subprocess.run([pvpython, script], check=True, timeout=60, stdout=subprocess.DEVNULL, env=window.environment)
+    subprocess.run([pvpython, script], check=True, timeout=200, stdout=subprocess.DEVNULL, env=window.environment)
     reader = vtkPNGReader()
     reader.SetFileName(path)
     reader.Update()
@@ -131,7 +131,7 @@ def main():
     parser.add_argument("--plugin", required=True, help="ShadowConesParaView.so")
     parser.add_argument("--mesh", default=os.path.join(ROOT, "Data", "chair.vtp"))
     parser.add_argument("--events", default=os.path.join(HERE, "events-light-shafts.xml"))
-    parser.add_argument("--seconds", type=float, default=55.0, help="how long to wait for the picture (default: 55)")
+    parser.add_argument("--seconds", type=float, default=200.0, help="how long to wait for the picture (default: 200)")
     parser.add_argument("--save", help="a PNG of the screen at the end")
     arguments = parser.parse_args()
     plugin, mesh = os.path.abspath(arguments.plugin), os.path.abspath(arguments.mesh)
