@@ -33,6 +33,7 @@ struct ImageOptions
   double SigmaA = 0.0;
   double Asymmetry = 0.0;
   double Exposure = 0.0;
+  std::string Tone = "filmic";
   int Steps = 64;
   int Samples = 16;
 };
@@ -102,6 +103,7 @@ void RunImage(const ImageOptions& options)
     image->AutoExposureOff();
     image->SetExposure(options.Exposure);
   }
+  image->SetToneCurve(options.Tone == "linear" ? vtkScatteringImageFilter::Linear : vtkScatteringImageFilter::Filmic);
   Update(image, "light shafts", options.Scene.Quiet);
   WriteOutput(image->GetOutput(), options.Output);
 }
@@ -136,6 +138,9 @@ void AddImageCommand(CLI::App& program)
   command->add_option("--asymmetry", options->Asymmetry, "Mean cosine of scattering (Henyey-Greenstein), -1 to 1")
     ->capture_default_str();
   command->add_option("--exposure", options->Exposure, "What 1 over radiance is white. Default: found from the image");
+  command->add_option("--tone", options->Tone, "filmic rolls lamps and bright spots off, linear cuts them at white")
+    ->check(CLI::IsMember({ "filmic", "linear" }))
+    ->capture_default_str();
   command
     ->add_option(
       "--mode", options->Mode, "How: guided to the error asked for, or bruteforce with --steps and --samples")

@@ -4,19 +4,22 @@
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from . import _meshes
+from . import _meshes, _run
 
 
 class Places:
     """Where a filter is to answer.
 
-    An (n, 3) array, or one point of 3 numbers, is answered by an array; a data set, or the path of one, by the data set with
-    the filter's arrays.
+    An (n, 3) array, or one point of 3 numbers, is answered by an array; a data set, the path of one, or a filter that has
+    one, by the data set with the filter's arrays.
     """
 
     def __init__(self, where, normals=None):
         self.single = False
+        if isinstance(where, vtkAlgorithm):
+            where = _run.update(where).GetOutputDataObject(0)
         self.is_array = not (isinstance(where, vtkDataSet) or _meshes.is_path(where))
         if not self.is_array:
             if normals is not None:

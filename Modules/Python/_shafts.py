@@ -117,7 +117,7 @@ def defaults_of(occluders, lights, axis):
 
 
 def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, medium=None, sigma_s=None, sigma_a=0.0,
-                 asymmetry=0.0, up=None, exposure=None, seed=1, progress=None):
+                 asymmetry=0.0, up=None, exposure=None, tone="filmic", seed=1, progress=None):
     """The light shafts that a camera sees around a mesh in a thin medium: fog, smoke, water.
 
     No cones are made: for one image that takes as long as they save.
@@ -137,6 +137,7 @@ def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, 
             (Henyey and Greenstein).
         up: "x", "y" or "z", for defaults and for a sun in words. Default: see vtkSceneDefaults.
         exposure: what 1 / (W m^-2 sr^-1) shows as white. Default: found from the image.
+        tone: "filmic" rolls lamps and bright spots off, "linear" cuts them at white (SetToneCurve of vtkScatteringImageFilter).
         seed: of the random numbers; the same seed gives the same bytes.
         progress: True for a bar, or something to call with a fraction from 0 to 1.
 
@@ -160,6 +161,8 @@ def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, 
     width, height = picture_size(size)
     if not error > 0.0:
         raise ValueError(f"error is {error}: it must be above 0")
+    if tone not in ("filmic", "linear"):
+        raise ValueError(f'tone must be "filmic" or "linear", not {tone!r}')
     occluders = _meshes.occluders_of(mesh)
     axis = up_axis(up)
     lights = [] if light is None else _lights.lights_of(light, np.eye(3)[axis - 1] if axis else None)
@@ -191,6 +194,7 @@ def light_shafts(mesh, light=None, camera=None, size=(640, 480), error=0.02, *, 
         image.SetPhaseFunctionToHenyeyGreenstein()
         image.SetPhaseAsymmetry(asymmetry)
     image.SetSeed(seed)
+    image.SetToneCurve(image.Filmic if tone == "filmic" else image.Linear)
     if exposure is not None:
         image.AutoExposureOff()
         image.SetExposure(exposure)

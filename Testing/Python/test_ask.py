@@ -247,6 +247,7 @@ class Inputs(unittest.TestCase):
             (ValueError, "both must be at least 1", lambda: sc.light_shafts(PLATE, size=(0, 5))),
             (TypeError, "size must be (width, height)", lambda: sc.light_shafts(PLATE, size=5)),
             (TypeError, "camera must be a vtkCamera or", lambda: sc.light_shafts(PLATE, camera=(1, 2, 3), size=(4, 4))),
+            (ValueError, "tone must be", lambda: sc.light_shafts(PLATE, tone="soft", size=(4, 4))),
             (ValueError, "up must be x, y or z", lambda: sc.light_shafts(PLATE, up="w", size=(4, 4))),
             (ValueError, "error is 0", lambda: sc.light_shafts(PLATE, error=0, size=(4, 4))),
             (ValueError, "vtkAreaLightSource: ", lambda: sc.light_shafts(PLATE, bad_lamp(), size=(4, 4))),
