@@ -8,14 +8,14 @@ import common
 import numpy as np
 import scenes
 import shadowcones as sc
-from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
 # The plane z = ... of the slice: behind the back of the chair, through the middle of the tree.
 MODELS = {"chair": -1.15, "tree": 0.0}
 # A colour for true negatives, true positives, false positives and false negatives.
-COLORS = np.array([(255, 255, 255), (110, 175, 120), (245, 175, 85), (215, 30, 30)], dtype=np.uint8)
+COLORS = np.round(255 * np.array([(1.0, 1.0, 1.0), (0.6, 0.6, 0.62), common.SKY_BLUE, common.VERMILION])).astype(np.uint8)
+MEANING = ("lit, outside all cones", "shadow, in a cone", "lit, but in a cone", "shadow outside all cones")
 
 
 def bounds(vectors, cones):
@@ -70,12 +70,7 @@ def slices(accuracy, grid, size):
     return [(40 + 215 * truth).astype(np.uint8), COLORS[classes]]
 
 
-def cones_by_precision(accuracy, occluders, size):
-    colors = vtkLookupTable()
-    colors.SetTableRange(0.5, 1.0)
-    colors.SetHueRange(0.0, 0.66)
-    colors.SetNanColor(0.7, 0.7, 0.7, 1.0)
-    colors.Build()
+def cones_by_precision(accuracy, occluders, colors, size):
     geometry = sc.vtkConeSetGeometry()
     geometry.SetInputConnection(accuracy.GetOutputPort(4))
     geometry.SetLength(1.0)
@@ -99,9 +94,10 @@ def cones_by_precision(accuracy, occluders, size):
 
 
 def main():
-    options = common.parser(__doc__, size=300, vectors=5800)
+    options = common.parser(__doc__, size=460, vectors=5800)
     arguments = common.parse(options)
     light = scenes.ceiling_light()
+    precision = common.color_table(0.5, 1.0, bands=10)
     for model, z in MODELS.items():
         occluders = scenes.label(scenes.read(os.path.join(arguments.data, model + ".vtp")))
         rows = []
@@ -112,11 +108,14 @@ def main():
             accuracy = accuracy_of(cones, occluders, light)
             accuracy.Update()
             report(f"{model}, {choose.__name__}: {common.summary(cones)}", accuracy)
-            by_cone = cones_by_precision(accuracy, occluders, arguments.size)
+            by_cone = cones_by_precision(accuracy, occluders, precision, arguments.size)
             grid = slice_of_room(occluders.GetOutput(), z, arguments.size)
             rows.append(slices(accuracy, grid, arguments.size) + [by_cone])
-        picture = common.table(rows, ("truth", "cones", "cone by cone"), ("bounds", "paper"))
-        common.save(picture, os.path.join(arguments.output, f"accuracy-{model}.png"), levels=32)
+        picture = common.table(rows, ("truth", "what the cones say", "cone by cone"), ("bounds", "paper"))
+        width = picture.shape[1]
+        strips = (common.key([(color / 255.0, words) for color, words in zip(COLORS, MEANING)], width),
+                  common.legend(precision, "Cone by cone: share of the cone's volume that is in shadow", width, 6, "{:.1f}"))
+        common.save(common.stack(picture, *strips), os.path.join(arguments.output, f"accuracy-{model}.png"), levels=32)
 
 
 if __name__ == "__main__":

@@ -4,16 +4,10 @@
 
 import common
 import numpy as np
+from common import brick, painted
 import shadowcones as sc
-from vtkmodules.vtkRenderingCore import vtkCamera
 
 ROOM = (0, 6, 0, 3, -2, 2)
-
-
-def brick(x0, x1, y0, y1, z0, z1):
-    """A box as (points, faces)."""
-    points = [(x, y, z) for z in (z0, z1) for y in (y0, y1) for x in (x0, x1)]
-    return points, [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
 
 
 def blinds(number):
@@ -21,7 +15,7 @@ def blinds(number):
     slats = []
     for height in np.linspace(1.0, 2.4, number):
         points, faces = brick(-0.11, 0.0, height, height + 0.006, -1.2, 1.2)
-        slats.append(([(x, y + 0.55 * (x + 0.055), z) for x, y, z in points], faces))
+        slats.append(painted(([(x, y + 0.55 * (x + 0.055), z) for x, y, z in points], faces), 0.8, 0.8, 0.8))
     return slats
 
 
@@ -32,20 +26,17 @@ def room():
              brick(6, 6.1, 0, 3, -2, 2), brick(0, 6, 0, 3, -2.1, -2), brick(0, 6, 0, 3, 2, 2.1)]
     table = [brick(2.2, 3.4, 0.7, 0.75, -0.6, 0.6)]
     table += [brick(x, x + 0.06, 0, 0.7, z, z + 0.06) for x in (2.25, 3.3) for z in (-0.55, 0.5)]
-    return walls + table
+    return [painted(wall, 0.75, 0.72, 0.68) for wall in walls] + [painted(part, 0.5, 0.3, 0.16) for part in table]
 
 
 def main():
     options = common.parser(__doc__, 1200)
     options.add_argument("--goal", type=float, default=0.02, help="relative error of a pixel (default: 0.02)")
     arguments = common.parse(options)
-    camera = vtkCamera()
-    camera.SetPosition(4.6, 1.75, 1.85)
-    camera.SetFocalPoint(1.7, 1.15, -0.25)
-    camera.SetViewAngle(58)
-    shot = sc.light_shafts(room() + blinds(8), "sun: direction 1,-0.42,-0.12 irradiance 800 W/m2", camera,
-                           (arguments.size, arguments.size * 5 // 8), arguments.goal, medium=ROOM, sigma_s=0.12,
-                           asymmetry=0.4)
+    sun = "sun: direction 1,-0.42,-0.12 irradiance 800 W/m2 spectrum .6,.72,.85,.95,1,1,1"
+    camera = common.camera_at((4.6, 1.75, 1.85), (1.7, 1.15, -0.25), 58.0, (0, 1, 0))
+    shot = sc.light_shafts(room() + blinds(8), sun, camera, (arguments.size, arguments.size * 5 // 8), arguments.goal, medium=ROOM,
+                           sigma_s=0.12, asymmetry=0.4)
     shot.save(f"{arguments.output}/blinds.png")
     print(f"wrote {arguments.output}/blinds.png: {shot}")
 

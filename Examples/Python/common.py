@@ -1,37 +1,51 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Command line, meshes, the chain of filters with the paper's parameters, and pictures: what the examples share."""
+"""Command line, meshes, the chain of filters with the paper's parameters, pictures and their legends: what the examples share."""
 
 import argparse
 import functools
 import os
+import struct
+import zlib
 
 import numpy as np
 import scenes
 import shadowcones as sc
 import vtkmodules.vtkRenderingFreeType  # the text of captions
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCleanPolyData, vtkHedgeHog
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCellCenters, vtkCleanPolyData, vtkHedgeHog
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOImport import vtk3DSImporter
 from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextProperty, vtkTextRenderer, vtkWindowToImageFilter)
+    vtkActor, vtkBillboardTextActor3D, vtkCamera, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextProperty,
+    vtkTextRenderer, vtkWindowToImageFilter)
 
 # Debian's package glmark2-data: real meshes that nobody here made.
 REAL_MESHES = "/usr/share/glmark2/models"
 
 GREY = (0.8, 0.78, 0.74)
+INK = (0.1, 0.1, 0.1)
 BLUE = (0.15, 0.35, 0.95)
 RED = (0.9, 0.1, 0.1)
 GREEN = (0.0, 0.55, 0.1)
 # From blue through grey to yellow, lighter all the way: the colours of "cividis", which colour-blind people see alike.
 SCALE = np.array([(0, 34, 78), (18, 53, 112), (59, 73, 108), (87, 93, 109), (112, 113, 115), (138, 134, 120), (165, 156, 116),
                   (195, 179, 105), (225, 204, 85), (254, 232, 56)])
+# Of Okabe and Ito: names that every eye tells apart.
+ORANGE = (0.90, 0.62, 0.0)
+SKY_BLUE = (0.34, 0.71, 0.91)
+TEAL = (0.0, 0.62, 0.45)
+YELLOW = (0.94, 0.89, 0.26)
+DARK_BLUE = (0.0, 0.28, 0.53)
+VERMILION = (0.84, 0.37, 0.0)
+PURPLE = (0.80, 0.47, 0.65)
 
 
 def parser(description, size, vectors=None):
@@ -57,6 +71,14 @@ def parse(options):
 def array(data, name):
     """A named array of point, cell or field data as numpy sees it."""
     return vtk_to_numpy(data.GetArray(name))
+
+
+def centers(data):
+    """The centres of the cells of a data set, a row each."""
+    found = vtkCellCenters()
+    found.SetInputData(data)
+    found.Update()
+    return vtk_to_numpy(found.GetOutput().GetPoints().GetData())
 
 
 # Meshes
@@ -119,11 +141,53 @@ def stand_in_room(path, size):
     return move.GetOutput()
 
 
+def turned(source, place, angle, axis=(1, 0, 0), scale=1.0):
+    """The output of a source, scaled, turned about an axis through the origin by degrees, and then moved."""
+    transform = vtkTransform()
+    transform.Translate(*place)
+    transform.RotateWXYZ(angle, *axis)
+    transform.Scale(scale, scale, scale)
+    move = vtkTransformPolyDataFilter()
+    if isinstance(source, vtkPolyData):
+        move.SetInputData(source)
+    else:
+        move.SetInputConnection(source.GetOutputPort())
+    move.SetTransform(transform)
+    return move
+
+
 def receivers(mesh):
     """Mark a mesh to catch shadows and cast none."""
     ids = numpy_to_vtk(np.full(mesh.GetNumberOfCells(), -1, dtype=np.int32), deep=True)
     ids.SetName("OccluderId")
     mesh.GetCellData().AddArray(ids)
+    return mesh
+
+
+def brick(x0, x1, y0, y1, z0, z1):
+    """A box as (points, faces)."""
+    points = [(x, y, z) for z in (z0, z1) for y in (y0, y1) for x in (x0, x1)]
+    return points, [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+
+
+def painted(source, red, green, blue):
+    """The output of a source, or (points, faces), with a diffuse reflectance for seven wavelengths from blue to red."""
+    if isinstance(source, tuple):
+        points, faces = source
+        mesh = vtkPolyData()
+        mesh.SetPoints(vtkPoints())
+        mesh.GetPoints().SetData(numpy_to_vtk(np.array(points, dtype=float), deep=True))
+        cells = vtkCellArray()
+        for face in faces:
+            cells.InsertNextCell(len(face), face)
+        mesh.SetPolys(cells)
+    else:
+        source.Update()
+        mesh = source.GetOutput()
+    bands = np.array([blue, blue, 0.5 * (blue + green), green, 0.5 * (green + red), red, red], dtype=np.float32)
+    array = numpy_to_vtk(np.tile(bands, (mesh.GetNumberOfCells(), 1)), deep=True)
+    array.SetName("Reflectance")
+    mesh.GetCellData().AddArray(array)
     return mesh
 
 
@@ -184,25 +248,74 @@ def pixels(image):
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[:, :, :3]
 
 
-def save(picture, path, levels=256):
-    """Write a picture as PNG. Fewer levels a channel make a smaller file; 32 are enough for drawings."""
-    picture = np.round(np.round(picture * ((levels - 1) / 255.0)) * (255.0 / (levels - 1))).astype(np.uint8)
-    height, width, _ = picture.shape
-    image = vtkImageData()
-    image.SetDimensions(width, height, 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(picture).reshape(-1, 3), deep=True))
-    scenes.write_png(image, path)
+def palette(pictures):
+    """At most 256 colours for pictures of one size: (colours, indices of the pictures)."""
+    stacked = np.concatenate(pictures, axis=0)
+    colors, indices = np.unique(stacked.reshape(-1, 3), axis=0, return_inverse=True)
+    if len(colors) > 256:
+        image = vtkImageData()
+        image.SetDimensions(stacked.shape[1], stacked.shape[0], 1)
+        image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(stacked).reshape(-1, 3), deep=True))
+        quantize = vtkImageQuantizeRGBToIndex()
+        quantize.SetInputData(image)
+        quantize.SetNumberOfColors(256)
+        quantize.Update()
+        table = quantize.GetLookupTable()
+        colors = np.array([table.GetTableValue(k)[:3] for k in range(table.GetNumberOfTableValues())])
+        colors = np.round(255 * colors)
+        indices = vtk_to_numpy(quantize.GetOutput().GetPointData().GetScalars())
+    indices = indices.astype(np.uint8).reshape(len(pictures), *pictures[0].shape[:2])
+    return colors.astype(np.uint8), indices
+
+
+def save(pictures, path, levels=256, seconds=None):
+    """Write a picture as PNG, or several in turn as an animated PNG that shows each for so many seconds.
+
+    With up to 256 colours the file has a palette. Fewer levels a channel make a smaller file; 32 are enough for drawings.
+    """
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    frames = list(pictures) if seconds else [pictures]
+    step = 255.0 / (levels - 1)
+    frames = [np.round(np.round(frame / step) * step).astype(np.uint8) for frame in frames]
+    height, width, _ = frames[0].shape
+    drawn = [frame[::-1] for frame in frames]
+    indexed = seconds or len(np.unique(drawn[0].reshape(-1, 3), axis=0)) <= 256
+    parts = [b"\x89PNG\r\n\x1a\n", chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 3 if indexed else 2, 0, 0, 0))]
+    if indexed:
+        colors, drawn = palette(drawn)
+        parts.append(chunk(b"PLTE", colors.tobytes()))
+    if seconds:
+        parts.append(chunk(b"acTL", struct.pack(">II", len(frames), 0)))
+    for number, frame in enumerate(drawn):
+        rows = np.asarray(frame, dtype=np.uint8).reshape(height, -1)
+        if not indexed:  # the difference from the row above is smaller
+            rows = np.concatenate([rows[:1], np.diff(rows, axis=0)])
+        rows = np.concatenate([np.full((height, 1), 0 if indexed else 2, dtype=np.uint8), rows], axis=1)
+        if seconds:
+            control = struct.pack(">IIIIIHHBB", max(0, 2 * number - 1), width, height, 0, 0, round(1000 * seconds), 1000, 0, 0)
+            parts.append(chunk(b"fcTL", control))
+        head = struct.pack(">I", 2 * number) if number else b""
+        parts.append(chunk(b"fdAT" if number else b"IDAT", head + zlib.compress(rows.tobytes(), 9)))
+    with open(path, "wb") as file:
+        file.write(b"".join(parts) + chunk(b"IEND", b""))
     print(f"wrote {path}")
 
 
 def text(words, width, height):
-    """Dark words in the middle of a white strip."""
+    """Dark words in the middle of a white strip; words that are too long for it are drawn smaller."""
     style = vtkTextProperty()
     style.SetFontSize(max(6, round(0.58 * height)))
     style.SetColor(1.0, 1.0, 1.0)
     rendered = vtkImageData()
     strip = np.full((height, width, 3), 255, dtype=np.uint8)
-    if words and vtkTextRenderer.GetInstance().RenderString(style, words, rendered, [0, 0], 72):
+    drawn = words and vtkTextRenderer.GetInstance().RenderString(style, words, rendered, [0, 0], 72)
+    if drawn and rendered.GetDimensions()[0] > width:
+        style.SetFontSize(max(6, style.GetFontSize() * width // rendered.GetDimensions()[0]))
+        rendered = vtkImageData()
+        drawn = vtkTextRenderer.GetInstance().RenderString(style, words, rendered, [0, 0], 72)
+    if drawn:
         columns, rows, _ = rendered.GetDimensions()
         ink = vtk_to_numpy(rendered.GetPointData().GetScalars()).reshape(rows, columns, -1)[:, :, -1]
         inked_rows, inked_columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
@@ -215,7 +328,7 @@ def text(words, width, height):
 def table(rows, columns, row_titles=None, gap=4):
     """Pictures of one size in rows, under the titles of their columns and beside those of their rows."""
     height, width, _ = rows[0][0].shape
-    line = 26
+    line = max(26, width // 17)
 
     def beside(pictures, first):
         between = np.full((pictures[0].shape[0], gap, 3), 255, dtype=np.uint8)
@@ -236,40 +349,111 @@ def scale(count):
     return np.stack([np.interp(at, np.arange(len(SCALE)), SCALE[:, channel]) for channel in range(3)], axis=1)
 
 
-def color_by(actor, name, most):
-    """Colour the cells of a mesh by their values of an array, from 0 to most."""
-    colors = vtkLookupTable()
-    colors.SetNumberOfTableValues(256)
-    colors.SetTableRange(0.0, most)
-    for k, color in enumerate(scale(256)):
-        colors.SetTableValue(k, *(color / 255.0))
+def stack(*pictures):
+    """Pictures, the first on top; narrower ones stand in the middle."""
+    width = max(picture.shape[1] for picture in pictures)
+    gaps = [width - picture.shape[1] for picture in pictures]
+    return np.concatenate([np.pad(picture, ((0, 0), (gap // 2, gap - gap // 2), (0, 0)), constant_values=255)
+                           for picture, gap in reversed(list(zip(pictures, gaps)))], axis=0)
+
+
+def color_table(low, high, bands=0):
+    """The scale of colours over low..high; with bands as many even steps of it. What is no number is light grey."""
+    table = vtkLookupTable()
+    count = bands or 256
+    table.SetNumberOfTableValues(count)
+    for k, color in enumerate(scale(count)):
+        table.SetTableValue(k, *(color / 255.0), 1.0)
+    table.SetTableRange(low, high)
+    table.SetNanColor(0.86, 0.86, 0.86, 1.0)
+    return table
+
+
+def category_table(colors):
+    """A table for whole numbers from 0: a colour each, and grey below."""
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(len(colors))
+    for k, color in enumerate(colors):
+        table.SetTableValue(k, *color, 1.0)
+    table.SetTableRange(-0.5, len(colors) - 0.5)
+    table.SetBelowRangeColor(0.93, 0.93, 0.91, 1.0)
+    table.UseBelowRangeColorOn()
+    return table
+
+
+def paint(renderer, source, name, table, component=0, cells=False, line_width=1.0):
+    """Show a data set, or the output of a filter, coloured by a point array, or by a cell array."""
+    actor = add_actor(renderer, source, GREY, ambient=1.0, line_width=line_width)
     mapper = actor.GetMapper()
     mapper.ScalarVisibilityOn()
-    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SetColorModeToMapScalars()
+    if cells:
+        mapper.SetScalarModeToUseCellFieldData()
+    else:
+        mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(name)
     mapper.UseLookupTableScalarRangeOn()
-    mapper.SetLookupTable(colors)
+    mapper.SetInterpolateScalarsBeforeMapping(not cells)
+    mapper.SetLookupTable(table)
+    table.SetVectorModeToComponent()
+    table.SetVectorComponent(component)
+    return actor
 
 
-def legend(width, height, values, form):
-    """A strip of the scale with values under it, the first at its beginning and the last at its end."""
-    line, label = 26, 60
-    margin = max(width // 4, label // 2)
-    bar = np.full((height + line, width, 3), 255, dtype=np.uint8)
-    bar[line:, margin:width - margin] = scale(width - 2 * margin).astype(np.uint8)
-    for value in values:
-        at = margin + round((width - 2 * margin) * (value - values[0]) / (values[-1] - values[0])) - label // 2
-        bar[:line, at:at + label] = text(form.format(value), label, line)
-    return bar
+def legend_line(width):
+    """Height of the words of a legend."""
+    return max(24, width // 40)
+
+
+def legend(table, title, width, marks=5, form="{:.0f}", more=""):
+    """A strip that tells what the colours mean: title above, colours, and values below; `more` follows the last value."""
+    low, high = table.GetTableRange()
+    line = legend_line(width)
+    margin = width // 8
+    ramp = np.full((line, width, 3), 255, dtype=np.uint8)
+    color = [0.0, 0.0, 0.0]
+    for x in range(margin, width - margin):
+        table.GetColor(low + (high - low) * (x - margin + 0.5) / (width - 2 * margin), color)
+        ramp[:, x] = np.round(255 * np.array(color))
+    values = np.full((line, width, 3), 255, dtype=np.uint8)
+    for k in range(marks):
+        share = k / (marks - 1)
+        word = text(form.format(low + share * (high - low)) + (more if k == marks - 1 else ""), 2 * (margin - 2), line)
+        place = values[:, round(share * (width - 2 * margin)) + 2:][:, :word.shape[1]]
+        np.minimum(place, word[:, :place.shape[1]], out=place)
+    space = np.full((line // 3, width, 3), 255, dtype=np.uint8)
+    return np.concatenate([space, values, ramp, text(title, width, line), space], axis=0)
+
+
+def key(entries, width):
+    """A strip that tells what single colours mean: (colour, words), side by side, in as many lines as they need."""
+    line = legend_line(width)
+    longest = line * (2.4 + 0.33 * max(len(words) for _, words in entries))
+    columns = max(1, min(len(entries), 4 if len(entries) % 4 == 0 or len(entries) > 6 else 3, int(width / longest)))
+    part = width // columns
+    strips = []
+    for first in range(0, len(entries), columns):
+        strip = np.full((line, width, 3), 255, dtype=np.uint8)
+        for k, (color, words) in enumerate(entries[first:first + columns]):
+            word = text(words, part - 2 * line, line)
+            inked = np.flatnonzero((word < 255).any(axis=(0, 2)))
+            word = word[:, inked[0]:inked[-1] + 1]  # beside its colour
+            left = k * part + line // 2
+            strip[line // 5 - 1:line - line // 5 + 1, left - 1:left + line + 1] = 150  # an edge, for white
+            strip[line // 5:line - line // 5, left:left + line] = np.round(255 * np.array(color))
+            strip[:, left + 3 * line // 2:][:, :word.shape[1]] = word
+        strips.append(strip)
+    space = np.full((line // 3, width, 3), 255, dtype=np.uint8)
+    return np.concatenate([space] + strips[::-1] + [space], axis=0)
 
 
 def add_actor(renderer, source, color, opacity=1.0, line_width=1.0, ambient=0.0):
-    """Show a mesh or the output of a filter. `ambient` is the share of light that does not come from the camera."""
+    """Show a mesh, a source or the output of a filter. `ambient` is the share of light that does not come from the camera."""
     mapper = vtkPolyDataMapper()
     if isinstance(source, vtkPolyData):
         mapper.SetInputData(source)
     else:
-        mapper.SetInputConnection(source)
+        mapper.SetInputConnection(source.GetOutputPort() if isinstance(source, vtkAlgorithm) else source)
     mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
@@ -283,6 +467,29 @@ def add_actor(renderer, source, color, opacity=1.0, line_width=1.0, ambient=0.0)
     return actor
 
 
+def add_label(renderer, words, place, height, color=INK):
+    """Words at a place in space, so many pixels high, in front of everything."""
+    label = vtkBillboardTextActor3D()
+    label.SetInput(words)
+    label.SetPosition(*place)
+    style = label.GetTextProperty()
+    style.SetFontSize(max(8, round(2 * 0.75 * height)))  # four pixels become one
+    style.SetColor(*color)
+    style.SetJustificationToCentered()
+    style.SetVerticalJustificationToBottom()
+    renderer.AddActor(label)
+
+
+def camera_at(position, focal_point, view_angle=30.0, up=(0.0, 0.0, 1.0)):
+    """A camera from where it stands to what it looks at."""
+    camera = vtkCamera()
+    camera.SetPosition(*position)
+    camera.SetFocalPoint(*focal_point)
+    camera.SetViewUp(*up)
+    camera.SetViewAngle(view_angle)
+    return camera
+
+
 @functools.lru_cache(maxsize=None)
 def off_screen_window():
     """One window for all pictures: a virtual display may shut down when its only window closes."""
@@ -293,15 +500,16 @@ def off_screen_window():
     return window
 
 
-def render(renderer, camera, size):
-    """What a renderer shows off screen, as a picture. Needs a display."""
+def render(renderer, camera, width, height=None):
+    """What a renderer shows off screen, as a picture; square without a height. Needs a display."""
+    height = height or width
     renderer.SetBackground(1.0, 1.0, 1.0)
     renderer.SetActiveCamera(camera)
     renderer.SetUseDepthPeeling(True)
     renderer.SetMaximumNumberOfPeels(40)
     renderer.ResetCameraClippingRange()
     window = off_screen_window()
-    window.SetSize(2 * size, 2 * size)
+    window.SetSize(2 * width, 2 * height)
     window.AddRenderer(renderer)
     window.Render()
     grab = vtkWindowToImageFilter()
@@ -310,7 +518,7 @@ def render(renderer, camera, size):
     grab.Update()
     window.RemoveRenderer(renderer)
     # Four pixels to one: depth peeling has no multi-sampling.
-    large = pixels(grab.GetOutput()).reshape(size, 2, size, 2, 3)
+    large = pixels(grab.GetOutput()).reshape(height, 2, width, 2, 3)
     return large.mean(axis=(1, 3)).round().astype(np.uint8)
 
 

@@ -12,7 +12,7 @@ STOPS = (-1, 0, 1)
 
 
 def main():
-    arguments = common.parse(common.parser(__doc__, size=200, vectors=5800))
+    arguments = common.parse(common.parser(__doc__, size=400, vectors=5800))
     light = scenes.ceiling_light()
     occluders = scenes.label(scenes.read(os.path.join(arguments.data, "chair.vtp")))
     room = scenes.put_in_room(occluders, arguments.data)
@@ -21,6 +21,7 @@ def main():
 
     picture = sc.vtkToneMapRadiance()
     picture.SetInputConnection(image.GetOutputPort())
+    picture.SetToneCurveToFilmic()
     picture.Update()
     found = picture.GetOutput().GetFieldData().GetArray("Exposure").GetTuple1(0)
     print(f"exposure {found:.4g}")

@@ -6,32 +6,22 @@ import os
 
 import common
 import scenes
-from vtkmodules.vtkRenderingCore import vtkCamera
 
 MODELS = ("chair", "tree")
 # Cones are cut here, world units from their base: the leaves' are small and many.
 LENGTHS = {"chair": 0.5, "tree": 0.25}
 
 
-def camera(position, focal_point, view_up, view_angle):
-    result = vtkCamera()
-    result.SetPosition(*position)
-    result.SetFocalPoint(*focal_point)
-    result.SetViewUp(*view_up)
-    result.SetViewAngle(view_angle)
-    return result
-
-
 def views(model):
     """Camera and opacity of the mesh: from behind the light, where the mesh would hide the discs, and from the side."""
     height = 3.0 if model == "chair" else 4.5
-    near = camera((0.0, 8.5, 0.4), (0.0, 0.5 * height, 0.0), (0.0, 0.0, -1.0), 27.0 if model == "chair" else 48.0)
-    side = camera((6.5, 0.5 * height + 1.6, 8.0), (0.0, 0.44 * height, 0.0), (0.0, 1.0, 0.0), 13.0 + 4.0 * height)
+    near = common.camera_at((0.0, 8.5, 0.4), (0.0, 0.5 * height, 0.0), 27.0 if model == "chair" else 48.0, (0.0, 0.0, -1.0))
+    side = common.camera_at((6.5, 0.5 * height + 1.6, 8.0), (0.0, 0.44 * height, 0.0), 13.0 + 4.0 * height, (0.0, 1.0, 0.0))
     return (near, 0.4), (side, 1.0)
 
 
 def main():
-    arguments = common.parse(common.parser(__doc__, size=380, vectors=5800))
+    arguments = common.parse(common.parser(__doc__, size=560, vectors=5800))
     light = scenes.ceiling_light()
     rows = []
     for model in MODELS:
@@ -41,7 +31,9 @@ def main():
         print(f"{model}: {common.summary(cones)}", flush=True)
         rows.append([common.cone_view(occluders, vectors, cones, LENGTHS[model], view, arguments.size, opacity)
                      for view, opacity in views(model)])
-    common.save(common.table(rows, ("from near the light", "from the side"), MODELS),
+    picture = common.table(rows, ("from near the light", "from the side"), MODELS)
+    entries = ((common.GREEN, "shadow vectors"), (common.RED, "base discs"), (common.BLUE, "cones, cut short"))
+    common.save(common.stack(picture, common.key(entries, picture.shape[1])),
                 os.path.join(arguments.output, "figure7.png"), levels=40)
 
 

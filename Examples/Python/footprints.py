@@ -8,7 +8,6 @@ import json
 import os
 
 import common
-import maps
 import numpy as np
 import shadowcones as sc
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
@@ -17,7 +16,7 @@ from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
-COLORS = {"post": maps.DARK_BLUE, "ball": maps.ORANGE, "frame": maps.GREEN}
+COLORS = {"post": common.DARK_BLUE, "ball": common.ORANGE, "frame": common.TEAL}
 
 
 def box(*bounds):
@@ -83,15 +82,15 @@ def plan(prints, names, size):
             line.SetPosition(0.0, 0.0, 0.02)
     camera = vtkCamera()
     camera.ParallelProjectionOn()
-    camera.SetParallelScale(2.75)
-    camera.SetPosition(0.0, 0.0, 10.0)
-    camera.SetFocalPoint(0.0, 0.0, 0.0)
+    camera.SetParallelScale(1.95)
+    camera.SetPosition(0.0, 0.45, 10.0)
+    camera.SetFocalPoint(0.0, 0.45, 0.0)
     camera.SetViewUp(0.0, 1.0, 0.0)
-    return common.render(renderer, camera, size)
+    return common.render(renderer, camera, size, size * 3 // 4)
 
 
 def main():
-    options = common.parser(__doc__, size=1000)
+    options = common.parser(__doc__, size=1200)
     options.add_argument("--spacing", type=float, default=0.06, help="side of the triangles that are asked (default: 0.06)")
     arguments = common.parse(options)
     ground = vtkPlaneSource()
@@ -121,8 +120,8 @@ def main():
     table = prints.GetOutput(0).GetFieldData().GetAbstractArray("OccluderNames")
     names = [table.GetValue(k) for k in range(table.GetNumberOfValues())]
     picture = plan(prints, names, arguments.size)
-    strip = maps.key([(COLORS[name], f"{name} (pale: penumbra)") for name in names], arguments.size)
-    common.save(maps.stack(picture, strip), os.path.join(arguments.output, "footprints.png"), 64)
+    strip = common.key([(COLORS[name], f"{name} (pale: penumbra)") for name in names], arguments.size)
+    common.save(common.stack(picture, strip), os.path.join(arguments.output, "footprints.png"), 64)
 
 
 if __name__ == "__main__":

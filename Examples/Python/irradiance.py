@@ -7,16 +7,16 @@ Writes irradiance.png: illuminance, and the places that get more than a limit of
 import os
 
 import common
-import maps
 import numpy as np
 import shadowcones as sc
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkRegularPolygonSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
-LIMIT, HIGHEST = 150.0, 400.0  # lux; of the maps
+LIMIT, HIGHEST = 150.0, 300.0  # lux; of the maps
+LAMPS = ((-1.3, -0.5, 5000.0), (1.4, 0.4, 3600.0))  # x, y, lumen
 
 
 def lamp(x, y, lumen):
@@ -49,8 +49,8 @@ def exhibits():
         ball = vtkSphereSource()
         ball.SetCenter(x, y, height + 0.3)
         ball.SetRadius(0.3)
-        ball.SetThetaResolution(48)
-        ball.SetPhiResolution(32)
+        ball.SetThetaResolution(96)
+        ball.SetPhiResolution(64)
         for part in (stand, ball):
             parts.AddInputConnection(part.GetOutputPort())
     occluders = sc.vtkLabelOccluders()
@@ -80,13 +80,14 @@ def surfaces(occluders, points):
 def view(probe, table, size, name="Illuminance"):
     """From the open side of the room."""
     renderer = vtkRenderer()
-    maps.paint(renderer, probe.GetOutputPort(), name, table)
-    camera = vtkCamera()
-    camera.SetPosition(4.6, -8.6, 5.2)
-    camera.SetFocalPoint(-0.1, 0.1, 1.0)
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetViewAngle(34.0)
-    return common.render(renderer, camera, size)
+    common.paint(renderer, probe.GetOutputPort(), name, table)
+    for x, y, _ in LAMPS:
+        disc = vtkRegularPolygonSource()
+        disc.SetCenter(x, y, 3.4)
+        disc.SetRadius(0.2)
+        disc.SetNumberOfSides(48)
+        common.add_actor(renderer, disc.GetOutputPort(), common.YELLOW, ambient=1.0)
+    return common.render(renderer, common.camera_at((4.9, -9.2, 5.4), (-0.05, 0.0, 1.3), 29.0), size, size * 3 // 4)
 
 
 def above_limit():
@@ -96,18 +97,18 @@ def above_limit():
     for k in range(400):
         lux = HIGHEST * (k + 0.5) / 400
         grey = 0.3 + 0.6 * min(lux / LIMIT, 1.0)
-        table.SetTableValue(k, *(maps.VERMILION if lux > LIMIT else (grey, grey, grey)), 1.0)
+        table.SetTableValue(k, *(common.VERMILION if lux > LIMIT else (grey, grey, grey)), 1.0)
     table.SetTableRange(0.0, HIGHEST)
     return table
 
 
 def main():
-    options = common.parser(__doc__, size=620)
+    options = common.parser(__doc__, size=740)
     options.add_argument("--points", type=int, default=91, help="points along the sides of floor and walls (default: 91)")
     options.add_argument("--samples", type=int, default=128, help="light samples a point (default: 128)")
     arguments = common.parse(options)
     occluders = exhibits()
-    lights = [lamp(-1.3, -0.5, 5000.0), lamp(1.4, 0.4, 3600.0)]
+    lights = [lamp(*one) for one in LAMPS]
     probe = sc.vtkConeSetProbe()
     room = surfaces(occluders, arguments.points)
     probe.SetInputConnection(room.GetOutputPort())
@@ -125,12 +126,12 @@ def main():
           f"largest standard error {error.max():.1f} lux")
 
     size = arguments.size
-    table = maps.color_table(0.0, HIGHEST, bands=16)
-    left = maps.stack(view(probe, table, size), maps.legend(table, "Illuminance, lux", size))
-    entries = [((0.6, 0.6, 0.6), f"up to {LIMIT:.0f} lux"), (maps.VERMILION, f"above {LIMIT:.0f} lux")]
-    right = maps.stack(view(probe, above_limit(), size), maps.key(entries, size))
-    right = np.pad(right, ((left.shape[0] - right.shape[0], 0), (0, 0), (0, 0)), constant_values=255)
-    common.save(np.concatenate([left, right], axis=1), os.path.join(arguments.output, "irradiance.png"), 64)
+    table = common.color_table(0.0, HIGHEST, bands=12)
+    picture = common.table([[view(probe, table, size), view(probe, above_limit(), size)]],
+                           ["illuminance", f"more than {LIMIT:.0f} lux, the limit for paper"])
+    entries = [((0.6, 0.6, 0.6), f"up to {LIMIT:.0f} lux"), (common.VERMILION, f"above {LIMIT:.0f} lux"), (common.YELLOW, "lamps")]
+    strips = (common.legend(table, "Illuminance, lux", picture.shape[1], marks=7, more=" and more"), common.key(entries, picture.shape[1]))
+    common.save(common.stack(picture, *strips), os.path.join(arguments.output, "irradiance.png"), 64)
 
 
 if __name__ == "__main__":

@@ -71,7 +71,7 @@ def floor():
 
 
 def main():
-    arguments = common.parse(common.parser(__doc__, size=200))
+    arguments = common.parse(common.parser(__doc__, size=320))
     blob = scenes.label(scenes.read(os.path.join(arguments.data, "blob.vtp")))
     scene = vtkAppendPolyData()
     scene.AddInputConnection(blob.GetOutputPort())
@@ -85,6 +85,7 @@ def main():
         image.SetCamera(scenes.front_camera())
         image.SetResolution(arguments.size, arguments.size)
         image.SetModeToBruteForce()
+        image.SetToneCurveToFilmic()
         image.SetSigmaS(0.25)
         image.SetPhasePresetToRayleigh()
         image.SetMediumBounds(-2.75, 2.75, 0.0, 5.5, -2.75, 2.75)

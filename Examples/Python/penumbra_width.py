@@ -8,8 +8,6 @@ measured. Prints the width along a line next to what a ruler and the rule of thr
 import os
 
 import common
-import maps
-import numpy as np
 import shadowcones as sc
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
@@ -99,7 +97,7 @@ def main():
           f"(at most {common.array(along, 'PenumbraWidthError')[0]:.4f} off), {exact:.4f} by the rule of three")
 
     size = arguments.size
-    table = maps.color_table(0.0, 0.4, bands=16)
+    table = common.color_table(0.0, 0.4, bands=16)
     sparse = floor(max(3, arguments.points // 4))
     ways = widths(sparse, light, mesh, arguments.samples)
     pictures = []
@@ -107,16 +105,16 @@ def main():
         renderer = vtkRenderer()
         if with_ways:
             common.add_actor(renderer, sparse.GetOutputPort(), (0.86, 0.86, 0.86), ambient=1.0)
-            lines = maps.paint(renderer, ways.GetOutputPort(1), "PenumbraWidth", table, cells=True, line_width=3.0)
+            lines = common.paint(renderer, ways.GetOutputPort(1), "PenumbraWidth", table, cells=True, line_width=3.0)
             lines.SetPosition(0.0, 0.0, 0.01)
         else:
-            maps.paint(renderer, on_floor.GetOutputPort(0), "PenumbraWidth", table)
+            common.paint(renderer, on_floor.GetOutputPort(0), "PenumbraWidth", table)
         common.add_actor(renderer, mesh.GetOutputPort(), (0.75, 0.75, 0.78), ambient=0.4, opacity=0.8)
         pictures.append(common.render(renderer, camera(), size))
     picture = common.table([pictures], ["Width at each point", "The ways, from 5 % to 95 % of the light"])
-    strip = maps.legend(table, "Width of the penumbra, world units (grey: lit or in umbra)",
+    strip = common.legend(table, "Width of the penumbra, world units (grey: lit or in umbra)",
                         picture.shape[1], marks=9, form="{:.2f}")
-    common.save(maps.stack(picture, strip), os.path.join(arguments.output, "penumbra-width.png"), 64)
+    common.save(common.stack(picture, strip), os.path.join(arguments.output, "penumbra-width.png"), 64)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,6 @@ import common
 import numpy as np
 import scenes
 import shadowcones as sc
-from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
 from vtkmodules.vtkFiltersCore import vtkCutter, vtkPolyDataNormals, vtkTriangleFilter
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
@@ -69,31 +68,13 @@ def fine_surface(mesh, divisions):
     return normals
 
 
-def show(renderer, source, name, classes=False, ambient=1.0):
-    """An output coloured by an array of the probe: black is umbra, white lit; classes in blue, orange, yellow."""
-    colors = vtkLookupTable()
-    if classes:
-        colors.SetNumberOfTableValues(3)
-        for value, color in enumerate([(1.0, 0.93, 0.6), (0.95, 0.5, 0.15), (0.12, 0.15, 0.4)]):
-            colors.SetTableValue(value, *color)
-        colors.SetTableRange(-0.5, 2.5)
-    else:
-        colors.SetHueRange(0.1, 0.1)
-        colors.SetSaturationRange(0.35, 0.1)
-        colors.SetValueRange(0.08, 1.0)
-        colors.SetTableRange(0.0, 1.0)
-    colors.Build()
-    actor = common.add_actor(renderer, source.GetOutputPort(), common.GREY, ambient=ambient)
-    mapper = actor.GetMapper()
-    mapper.ScalarVisibilityOn()
-    # Bytes would be taken for colours.
-    mapper.SetColorModeToMapScalars()
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray(name)
-    mapper.UseLookupTableScalarRangeOn()
-    mapper.SetInterpolateScalarsBeforeMapping(True)
-    mapper.SetLookupTable(colors)
-    return actor
+CLASSES = ((1.0, 0.93, 0.6), common.ORANGE, (0.12, 0.15, 0.4))
+
+
+def show(renderer, source, name):
+    """An output coloured by an array of the probe, "Visibility" or "ShadowClass"."""
+    table = common.category_table(CLASSES) if name == "ShadowClass" else common.color_table(0.0, 1.0)
+    common.paint(renderer, source.GetOutputPort(), name, table)
 
 
 def report(title, probe):
@@ -103,6 +84,10 @@ def report(title, probe):
     shares = np.bincount(common.array(data, "ShadowClass"), minlength=3) / probe.GetOutput().GetNumberOfPoints()
     print(f"{title}: {probe.GetOutput().GetNumberOfPoints():,} points, {shares[0]:.1%} lit, {shares[1]:.1%} penumbra, "
           f"{shares[2]:.1%} umbra, {len(np.unique(common.array(data, 'OccluderId'))) - 1} occluders seen", flush=True)
+
+
+def scale_of_visibility(width):
+    return common.legend(common.color_table(0.0, 1.0), "Visible share of the lamp", width, marks=6, form="{:.1f}")
 
 
 def cut_view(occluders, probe, size):
@@ -135,7 +120,8 @@ def grid_picture(arguments, light):
         exact.GetOutput().GetPointData(), "Visibility")
     print(f"Soft against Exact: root mean square {np.sqrt(np.mean(error ** 2)):.3f}, mean {np.mean(error):+.3f}")
     pictures = [cut_view(tree, exact, arguments.size), cut_view(tree, soft, arguments.size)]
-    common.save(common.table([pictures], ["Exact: rays inside cones", "Soft: discs alone"]),
+    picture = common.table([pictures], ["Exact: rays inside cones", "Soft: discs alone"])
+    common.save(common.stack(picture, scale_of_visibility(picture.shape[1])),
                 os.path.join(arguments.output, "probe-grid.png"), 64)
 
 
@@ -157,14 +143,17 @@ def surface_picture(arguments, light):
     for name in ("Visibility", "ShadowClass"):
         renderer = vtkRenderer()
         for probe in (walls, itself):
-            show(renderer, probe, name, classes=name == "ShadowClass", ambient=0.6)
+            show(renderer, probe, name)
         pictures.append(common.render(renderer, camera, arguments.size))
-    common.save(common.table([pictures], ["Visibility", "Shadow class"]),
+    picture = common.table([pictures], ["visible share of the lamp", "class of shadow"])
+    width = picture.shape[1]
+    classes = common.key(list(zip(CLASSES, ("lit", "penumbra", "umbra"))), width)
+    common.save(common.stack(picture, scale_of_visibility(width), classes),
                 os.path.join(arguments.output, "probe-surface.png"), 64)
 
 
 def main():
-    options = common.parser(__doc__, size=420, vectors=50000)
+    options = common.parser(__doc__, size=640, vectors=50000)
     options.add_argument("--grid", type=int, default=72, help="points along an edge of the grid (default: 72)")
     arguments = common.parse(options)
     light = scenes.ceiling_light()

@@ -67,11 +67,12 @@ def view(occluders, cones, size):
     mapper.SetLookupTable(colors)
     mapper.UseLookupTableScalarRangeOn()
     camera, _ = figure7.views("chair")[1]
+    camera.Zoom(1.1)
     return common.render(renderer, camera, size)
 
 
 def main():
-    arguments = common.parse(common.parser(__doc__, size=420, vectors=5800))
+    arguments = common.parse(common.parser(__doc__, size=700, vectors=5800))
     light = scenes.ceiling_light()
     occluders = scenes.label(scenes.read(os.path.join(arguments.data, "chair.vtp")))
     vectors = common.shadow_vectors(occluders, light, arguments.vectors)
@@ -81,7 +82,10 @@ def main():
         cones = proved_set(occluders, light, vectors, tuning)
         report(tuning, cones, occluders, light)
         pictures.append(view(occluders, cones, arguments.size))
-    common.save(common.table([pictures], TUNINGS, ("chair",)), os.path.join(arguments.output, "proved-cones.png"), levels=40)
+    picture = common.table([pictures], ["fitted, then proved", "around parts of the mesh"])
+    strip = common.key([(look[:3], words) for look, words in zip(LOOKS, ("as fitted", "grown by the proof", "added by the proof"))],
+                       picture.shape[1])
+    common.save(common.stack(picture, strip), os.path.join(arguments.output, "proved-cones.png"), levels=40)
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 
 def house():
@@ -62,24 +62,22 @@ def picture(mesh, solids, plane, view, size):
     renderer = vtkRenderer()
     shown = vtkTriangleFilter()
     shown.SetInputData(mesh)
-    common.add_actor(renderer, shown.GetOutputPort(), common.GREY, ambient=0.3)
+    # A little nearer to the light, so that what lies in one plane is not drawn in spots.
+    common.add_actor(renderer, shown.GetOutputPort(), common.GREY, ambient=0.3).SetPosition(0.0, 0.001 * view[2], 0.0)
     umbra = common.add_actor(
         renderer, shadow_volume.cut(solids.GetOutput(1), plane), shadow_volume.UMBRA, ambient=0.4)
     umbra.SetPosition(0.0, 0.0, 0.004 * view[2])
     common.add_actor(renderer, shadow_volume.cut(solids.GetOutput(0), plane), shadow_volume.PENUMBRA, ambient=0.35)
-    camera = vtkCamera()
-    camera.SetPosition(view[0], view[1], view[2])
-    camera.SetFocalPoint(*view[3])
-    camera.SetViewAngle(30.0)
-    return common.render(renderer, camera, size)
+    camera = common.camera_at(view[:3], view[3], view[4], (0.0, 1.0, 0.0))
+    return common.render(renderer, camera, size, size * 3 // 4)
 
 
 def main():
-    options = common.parser(__doc__, size=420)
+    options = common.parser(__doc__, size=700)
     options.add_argument("--resolution", type=int, default=64, help="cells along a solid's longest side (default: 64)")
     arguments = common.parse(options)
-    views = {"house": (5.02, (32.0, 22.0, 62.0, (15.0, 8.0, 5.0))),
-             "ring": (0.02, (3.0, 3.6, 9.0, (0.0, 1.5, 0.0)))}
+    views = {"house": (5.02, (32.0, 22.0, 62.0, (18.5, 9.0, 5.0), 31.0)),
+             "ring": (0.02, (3.0, 3.6, 9.0, (0.2, 1.35, 0.0), 29.0))}
     pictures = []
     for name, scene in (("house", house()), ("ring", ring())):
         solids = shadow_solids(*scene, arguments.resolution)
@@ -87,7 +85,9 @@ def main():
         shadow_volume.report("  penumbra", solids.GetOutput(0))
         shadow_volume.report("  umbra", solids.GetOutput(1))
         pictures.append(picture(scene[0], solids, *views[name], arguments.size))
-    common.save(common.table([pictures], list(views)), os.path.join(arguments.output, "shadow-solids.png"), levels=64)
+    shown = common.table([pictures], ["a house under the Sun, cut open", "a ring under a lamp, cut open"])
+    entries = ((shadow_volume.PENUMBRA, "penumbra: a part of the light is hidden"), (shadow_volume.UMBRA, "umbra: all of it is"))
+    common.save(common.stack(shown, common.key(entries, shown.shape[1])), os.path.join(arguments.output, "shadow-solids.png"), 64)
 
 
 if __name__ == "__main__":

@@ -102,7 +102,7 @@ def picture(occluders, solids, size):
 
 
 def main():
-    options = common.parser(__doc__, size=420, vectors=20000)
+    options = common.parser(__doc__, size=700, vectors=20000)
     options.add_argument("--resolution", type=int, default=96, help="cells along a solid's longest side (default: 96)")
     arguments = common.parse(options)
     pictures = []
@@ -115,7 +115,9 @@ def main():
         report("  penumbra", solids.GetOutput(0))
         report("  umbra", solids.GetOutput(1))
         pictures.append(picture(occluders, solids, arguments.size))
-    common.save(common.table([pictures], list(meshes)), os.path.join(arguments.output, "shadow-volume.png"), levels=64)
+    shown = common.table([pictures], list(meshes))
+    strip = common.key(((PENUMBRA, "penumbra, at most"), (UMBRA, "umbra, by the base discs")), shown.shape[1])
+    common.save(common.stack(shown, strip), os.path.join(arguments.output, "shadow-volume.png"), levels=64)
 
 
 if __name__ == "__main__":

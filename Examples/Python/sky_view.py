@@ -10,7 +10,7 @@ import shadowcones as sc
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 # Patches in rings of 12 degrees from the horizon up, as sky scanners take them (P. R. Tregenza, 1987).
 RINGS = (30, 30, 24, 24, 18, 12, 6, 1)
@@ -84,7 +84,7 @@ def closed_form(x):
 
 
 def main():
-    options = common.parser(__doc__, size=720)
+    options = common.parser(__doc__, size=1200)
     options.add_argument("--cells", type=int, default=24, help="cells across the street (default: 24)")
     options.add_argument("--samples", type=int, default=64, help="samples of each patch (default: 64)")
     arguments = common.parse(options)
@@ -104,17 +104,13 @@ def main():
     print(f"root mean square of the difference across the street {np.sqrt(np.mean(wrong ** 2)):.4f}")
 
     renderer = vtkRenderer()
-    common.color_by(common.add_actor(renderer, answered, common.GREY, ambient=1.0), "SkyView", MOST)
+    table = common.color_table(0.0, MOST, bands=12)
+    common.paint(renderer, answered, "SkyView", table, cells=True)
     common.add_actor(renderer, occluders.GetOutputPort(), common.GREY, ambient=0.3)
-    camera = vtkCamera()
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetPosition(0.0, -34.0, 27.0)
-    camera.SetFocalPoint(0.0, 1.0, 0.0)
-    camera.SetViewAngle(32.0)
-    picture = common.render(renderer, camera, arguments.size)
-    strip = common.legend(arguments.size, max(4, arguments.size // 24), np.linspace(0.0, MOST, 4), "{:.1f}")
-    title = common.text("Share of the sky's light that arrives on the ground", arguments.size, 26)
-    common.save(np.concatenate([strip, picture, title], axis=0), os.path.join(arguments.output, "sky-view.png"), levels=128)
+    camera = common.camera_at((0.0, -34.0, 27.0), (0.0, 1.0, 0.0), 26.0)
+    picture = common.render(renderer, camera, arguments.size, arguments.size * 5 // 8)
+    strip = common.legend(table, "Share of the sky's light that arrives on the ground", arguments.size, marks=7, form="{:.1f}")
+    common.save(common.stack(picture, strip), os.path.join(arguments.output, "sky-view.png"), levels=64)
 
 
 if __name__ == "__main__":

@@ -7,11 +7,10 @@ import os
 import common
 import numpy as np
 import shadowcones as sc
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkCellCenters, vtkFeatureEdges
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkFeatureEdges
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 # Metres: x is east, y is north. Around a yard of 24 by 16.
 HOUSES = {
@@ -86,11 +85,7 @@ def hours_of(where, occluders, date, step):
 def report(day, answered):
     """The middle of the yard: how long, from when to when, and whose shadow it is that takes most."""
     data = answered.GetCellData()
-    centers = vtkCellCenters()
-    centers.SetInputData(answered)
-    centers.Update()
-    at = vtk_to_numpy(centers.GetOutput().GetPoints().GetData())
-    middle = int(np.argmin(np.linalg.norm(at, axis=1)))
+    middle = int(np.argmin(np.linalg.norm(common.centers(answered), axis=1)))
     occluder = data.GetArray("OccluderId").GetValue(middle)
     names = answered.GetFieldData().GetAbstractArray("OccluderNames")
     name = names.GetValue(occluder) if occluder >= 0 else "nobody"
@@ -100,36 +95,31 @@ def report(day, answered):
           f"most of the shadow is that of the {name}", flush=True)
 
 
-def view(answered, occluders, size):
+def view(answered, occluders, table, size):
     """The town from the south, its cells in the colours of their hours."""
     renderer = vtkRenderer()
-    common.color_by(common.add_actor(renderer, answered, common.GREY, ambient=1.0), "SunHours", MOST)
+    common.paint(renderer, answered, "SunHours", table, cells=True)
     edges = vtkFeatureEdges()
     edges.SetInputConnection(occluders.GetOutputPort())
     edges.ColoringOff()
-    common.add_actor(renderer, edges.GetOutputPort(), (0.1, 0.1, 0.1), line_width=2.0, ambient=1.0)
-    camera = vtkCamera()
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetPosition(38.0, -62.0, 78.0)
-    camera.SetFocalPoint(0.0, -2.0, 3.0)
-    camera.SetViewAngle(36.0)
-    return common.render(renderer, camera, size)
+    common.add_actor(renderer, edges.GetOutputPort(), common.INK, line_width=2.0, ambient=1.0)
+    return common.render(renderer, common.camera_at((38.0, -62.0, 78.0), (-1.0, -6.0, 3.0), 35.0), size, size * 3 // 4)
 
 
 def main():
-    options = common.parser(__doc__, size=420)
+    options = common.parser(__doc__, size=600)
     options.add_argument("--cell", type=float, default=0.5, help="edge of a cell in metres (default: 0.5)")
     options.add_argument("--step", type=float, default=10.0, help="minutes between two places of the Sun (default: 10)")
     arguments = common.parse(options)
     occluders, where = town(), places(arguments.cell)
-    pictures = []
+    pictures, table = [], common.color_table(0.0, MOST)
     for day, date in DAYS.items():
         answered = hours_of(where, occluders, date, arguments.step)
         report(day, answered)
-        pictures.append(view(answered, occluders, arguments.size))
-    picture = common.table([pictures], [f"{day}, hours in the Sun" for day in DAYS])
-    picture = np.concatenate([common.legend(picture.shape[1], max(4, arguments.size // 24), np.arange(0.0, MOST + 1.0, 4.0), "{:.0f} h"), picture], axis=0)
-    common.save(picture, os.path.join(arguments.output, "sun-hours.png"), levels=64)
+        pictures.append(view(answered, occluders, table, arguments.size))
+    picture = common.table([pictures], [f"{day}, latitude {LATITUDE:.0f} north" for day in DAYS])
+    strip = common.legend(table, "Hours in the Sun on one day", picture.shape[1], marks=9, form="{:.0f} h")
+    common.save(common.stack(picture, strip), os.path.join(arguments.output, "sun-hours.png"), levels=64)
 
 
 if __name__ == "__main__":

@@ -66,7 +66,7 @@ def floor_shares(occluders, lights, cones):
 
 
 def main():
-    arguments = common.parse(common.parser(__doc__, size=240, vectors=6000))
+    arguments = common.parse(common.parser(__doc__, size=480, vectors=6000))
     occluders = scenes.label(scenes.read(os.path.join(arguments.data, "chair.vtp")))
     room = scenes.put_in_room(occluders, arguments.data)
     lights = [lamp(-1.6, WARM), lamp(1.6, COOL)]
@@ -79,6 +79,7 @@ def main():
           f"the cool one, {np.mean(hidden.all(axis=1)):.1%} of both")
 
     image = common.light_shafts(room, lights[0], cones, "Guided", arguments.size)
+    image.SetToneCurveToFilmic()
     image.SetRelativeErrorGoal(0.02)
     titles, pictures = ("both", "warm", "cool"), []
     for chosen in (lights, lights[:1], lights[1:]):

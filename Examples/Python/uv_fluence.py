@@ -7,7 +7,6 @@ Writes uv-fluence.png, maps at two heights, and uv-fluence.vti, the volume. Two 
 import os
 
 import common
-import maps
 import numpy as np
 import shadowcones as sc
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkCylinderSource
@@ -17,7 +16,7 @@ BOUNDS = (0.0, 6.0, 0.0, 4.0, 0.0, 3.0)
 TUBES = ((0.4, 2.0, 2.6), (5.6, 1.0, 2.6))
 POWER = 6.0    # W of each tube, at 254 nm
 LENGTH, RADIUS = 0.9, 0.013
-HIGHEST = 0.3  # of the map, W m^-2
+HIGHEST, BANDS = 0.6, 24  # of the map, W m^-2
 
 
 def tube(place):
@@ -38,9 +37,9 @@ def tube(place):
 
 
 def main():
-    options = common.parser(__doc__, size=1200)
+    options = common.parser(__doc__, size=1400)
     options.add_argument("--points", type=int, default=121, help="points along the room (default: 121)")
-    options.add_argument("--samples", type=int, default=64, help="light samples a point (default: 64)")
+    options.add_argument("--samples", type=int, default=400, help="light samples a point (default: 400)")
     arguments = common.parse(options)
     pillar = vtkCubeSource()
     pillar.SetBounds(2.6, 3.1, 1.6, 2.1, 0.0, 3.0)
@@ -68,26 +67,23 @@ def main():
 
     width = arguments.size // 2
     height = 2 * width // 3
-    table = maps.color_table(0.0, HIGHEST, bands=18)
     pictures = []
     for level in (1.6, 2.6):
         layer = fluence[round(level / 3.0 * (dimensions[2] - 1))]
         rows, columns = np.linspace(0, layer.shape[0] - 1, height), np.linspace(0, layer.shape[1] - 1, width)
         layer = np.array([np.interp(columns, np.arange(layer.shape[1]), row) for row in layer])
         layer = np.array([np.interp(rows, np.arange(layer.shape[0]), column) for column in layer.T]).T
-        picture = np.zeros((height, width, 3), dtype=np.uint8)
-        color = [0.0, 0.0, 0.0]
-        for i in range(height):
-            for j in range(width):
-                table.GetColor(min(layer[i, j], HIGHEST), color)
-                picture[i, j] = np.round(255 * np.array(color))
+        colors = common.scale(BANDS)[np.clip(layer / HIGHEST * BANDS, 0, BANDS - 1).astype(int)].round().astype(np.uint8)
         x, y = (np.array([2.6, 3.1]) / 6 * width).astype(int), (np.array([1.6, 2.1]) / 4 * height).astype(int)
-        picture[y[0]:y[1], x[0]:x[1]] = 255
-        pictures.append(picture)
-    maps_side_by_side = common.table([pictures], ["1.6 m above the floor", "2.6 m, the height of the tubes"])
-    strip = maps.legend(table, f"Fluence rate at 254 nm, W m^-2 ({HIGHEST} and more: yellow; white: the pillar)",
-                        maps_side_by_side.shape[1], marks=7, form="{:.2f}")
-    common.save(maps.stack(maps_side_by_side, strip), os.path.join(arguments.output, "uv-fluence.png"), 64)
+        colors[y[0]:y[1], x[0]:x[1]] = 255
+        for place in TUBES:  # seen from above
+            x, y = round(place[0] / 6 * width), (np.array([place[1] - LENGTH / 2, place[1] + LENGTH / 2]) / 4 * height).astype(int)
+            colors[y[0]:y[1], max(0, x - 2):x + 3] = (0, 0, 0)
+        pictures.append(colors)
+    picture = common.table([pictures], ["1.6 m above the floor, at the head", "2.6 m, the height of the tubes"])
+    title = "Fluence rate at 254 nm, W per square metre (white: the pillar; black: the tubes)"
+    strip = common.legend(common.color_table(0.0, HIGHEST, BANDS), title, picture.shape[1], 7, "{:.1f}", " and more")
+    common.save(common.stack(picture, strip), os.path.join(arguments.output, "uv-fluence.png"))
 
 
 if __name__ == "__main__":

@@ -13,12 +13,11 @@ import scenes
 import shadowcones as sc
 import vtkmodules.vtkInteractionStyle  # what the mouse does in the window
 import vtkmodules.vtkRenderingVolumeOpenGL2  # volumes on the graphics card
-from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction, vtkPlane
 from vtkmodules.vtkFiltersCore import vtkCutter
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkRenderingCore import (
-    vtkCamera, vtkColorTransferFunction, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor, vtkVolume,
+    vtkColorTransferFunction, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor, vtkVolume,
     vtkVolumeProperty)
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
@@ -77,34 +76,19 @@ def add_shadow(renderer, volume):
 
 
 def add_cut(renderer, volume):
-    """A plane through the volume, black in umbra and light where all of the lamp is seen."""
+    """A plane through the volume, dark blue in umbra and yellow where all of the lamp is seen."""
     plane = vtkPlane()
     plane.SetNormal(1.0, 0.0, 0.0)
     plane.SetOrigin(0.003, 0.0, 0.0)
     cut = vtkCutter()
     cut.SetCutFunction(plane)
     cut.SetInputConnection(volume.GetOutputPort())
-    colors = vtkLookupTable()
-    colors.SetHueRange(0.1, 0.1)
-    colors.SetSaturationRange(0.35, 0.1)
-    colors.SetValueRange(0.08, 1.0)
-    colors.SetTableRange(0.0, 1.0)
-    colors.Build()
-    mapper = common.add_actor(renderer, cut.GetOutputPort(), common.GREY, ambient=1.0).GetMapper()
-    mapper.ScalarVisibilityOn()
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray("Visibility")
-    mapper.SetLookupTable(colors)
-    mapper.UseLookupTableScalarRangeOn()
+    common.paint(renderer, cut.GetOutputPort(), "Visibility", common.color_table(0.0, 1.0))
 
 
-def camera_at(*position):
+def view(*position):
     """A camera that looks at the chair and its shadow."""
-    camera = vtkCamera()
-    camera.SetPosition(*position)
-    camera.SetFocalPoint(0.0, 1.6, 0.0)
-    camera.SetViewAngle(24.0)
-    return camera
+    return common.camera_at(position, (0.0, 1.6, 0.0), 24.0, (0.0, 1.0, 0.0))
 
 
 def scene_of(occluders, volume, add):
@@ -119,7 +103,7 @@ def show_in_window(occluders, volume, size):
     """The volume to be turned with the mouse, until the window is closed."""
     renderer = scene_of(occluders, volume, add_shadow)
     renderer.SetBackground(1.0, 1.0, 1.0)
-    renderer.SetActiveCamera(camera_at(4.5, 3.6, 10.0))
+    renderer.SetActiveCamera(view(4.5, 3.6, 10.0))
     window = vtkRenderWindow()
     window.SetSize(2 * size, 2 * size)
     window.SetWindowName("The visible share of the lamp")
@@ -132,7 +116,7 @@ def show_in_window(occluders, volume, size):
 
 
 def main():
-    options = common.parser(__doc__, size=420, vectors=20000)
+    options = common.parser(__doc__, size=700, vectors=20000)
     options.add_argument("--points", type=int, default=65, help="points along a side of the volume (default: 65)")
     options.add_argument("--window", action="store_true", help="show the volume in a window, and write no picture")
     arguments = common.parse(options)
@@ -148,10 +132,11 @@ def main():
     if arguments.window:
         show_in_window(chair, volume, arguments.size)
         return
-    pictures = [common.render(scene_of(chair, volume, add_shadow), camera_at(4.5, 3.6, 10.0), arguments.size),
-                common.render(scene_of(chair, volume, add_cut), camera_at(11.0, 2.0, 0.0), arguments.size)]
-    common.save(common.table([pictures], ["Shadow in space", "A cut: visible share of the lamp"]),
-                os.path.join(arguments.output, "visibility-volume.png"), 64)
+    pictures = [common.render(scene_of(chair, volume, add_shadow), view(4.5, 3.6, 10.0), arguments.size),
+                common.render(scene_of(chair, volume, add_cut), view(11.0, 2.0, 0.0), arguments.size)]
+    picture = common.table([pictures], ["the shadow in space, as smoke", "a cut through it"])
+    strip = common.legend(common.color_table(0.0, 1.0), "Visible share of the lamp", picture.shape[1], marks=6, form="{:.1f}")
+    common.save(common.stack(picture, strip), os.path.join(arguments.output, "visibility-volume.png"), 64)
 
 
 if __name__ == "__main__":
