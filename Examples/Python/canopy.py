@@ -34,7 +34,7 @@ def leaves(random, trunks, number):
 
 def main():
     options = common.parser(__doc__, 1000)
-    options.add_argument("--goal", type=float, default=0.1, help="relative error of a pixel (default: 0.1)")
+    options.add_argument("--goal", type=float, default=0.2, help="relative error of a pixel (default: 0.2)")
     options.add_argument("--leaves", type=int, default=4000, help="how many leaves (default: 4,000)")
     arguments = common.parse(options)
     random = np.random.default_rng(7)

@@ -81,6 +81,7 @@ class Values(unittest.TestCase):
             attributes = answer.GetCellData() if cells else answer.GetPointData()
             self.assertEqual(attributes.GetArray("Visibility").GetNumberOfTuples(), 16 if cells else 25)
             self.assertIsNone(plane.GetOutput().GetPointData().GetArray("Visibility"))
+        self.assertEqual(sc.visibility(plane, PLATE, "point:0,0,9").GetNumberOfPoints(), 25)  # a filter has a data set
         grid = vtkImageData()
         grid.SetDimensions(3, 3, 3)
         grid.SetOrigin(-1, -1, -1)
