@@ -24,7 +24,7 @@ def ball(body, fine=128):
 
 
 def main():
-    options = common.parser(__doc__, 1400)
+    options = common.parser(__doc__, 1200)
     options.add_argument("--cells", type=int, default=300, help="cells around the Earth (default: 300)")
     options.add_argument("--samples", type=int, default=256, help="of the Sun, a cell of the Earth (default: 256)")
     options.add_argument("--resolution", type=int, default=64, help="cells along the solids of shadow (default: 64)")
