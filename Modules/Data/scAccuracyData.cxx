@@ -3,6 +3,8 @@
 
 #include "scFieldArrays.h"
 #include "scGhosts.h"
+#include "scSentence.h"
+#include "scTuples.h"
 
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -45,9 +47,9 @@ bool ReadPoints(
     double p[3];
     input->GetPoint(items[k], p);
     points[k] = { p[0], p[1], p[2] };
-    if (!IsFinite(points[k]))
+    if (const char* fault = FaultOf(points[k]))
     {
-      error = "Sample point " + std::to_string(items[k]) + " on input port 0 has a coordinate that is not finite.";
+      error = Sentence("Sample point ", items[k], " on input port 0 has a coordinate that ", fault, ".");
       return false;
     }
   }

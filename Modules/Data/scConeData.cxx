@@ -26,14 +26,14 @@ namespace
 bool CheckCone(const Cone& cone, vtkIdType i, std::string& error)
 {
   const std::string ofCone = " of cone " + std::to_string(i);
-  if (!IsFinite(cone.Center))
+  if (const char* fault = FaultOf(cone.Center))
   {
-    error = "The position" + ofCone + " is not finite.";
+    error = "The position" + ofCone + " " + fault + ".";
   }
-  else if (!std::isfinite(cone.BaseRadius) || cone.BaseRadius < 0.0)
+  else if (FaultOf(cone.BaseRadius) || cone.BaseRadius < 0.0)
   {
     error = "The \"BaseRadius\"" + ofCone + " is " + std::to_string(cone.BaseRadius) +
-      ": it must be finite and not negative.";
+      ": it must be finite, at most 1e30 and not negative.";
   }
   else if (!(std::abs(cone.HalfAngle) < std::acos(0.0)))
   {
@@ -45,9 +45,9 @@ bool CheckCone(const Cone& cone, vtkIdType i, std::string& error)
     error = "The \"InnerHalfAngle\"" + ofCone + " is " + std::to_string(cone.InnerHalfAngle) +
       ": it must lie between -pi/2 and pi/2.";
   }
-  else if (!std::isfinite(cone.Planarity) || !std::isfinite(cone.Overspill))
+  else if (const char* other = FaultOf({ cone.Planarity, cone.Overspill, 0.0 }))
   {
-    error = "The \"Planarity\" or \"Overspill\"" + ofCone + " is not finite.";
+    error = "The \"Planarity\" or \"Overspill\"" + ofCone + " " + other + ".";
   }
   else
   {
@@ -109,12 +109,12 @@ bool ReadConeSet(vtkPolyData* input, std::vector<Cone>& cones, std::string& erro
     cone.HalfAngle = angles->GetComponent(i, 0);
     cone.InnerHalfAngle = innerAngles ? innerAngles->GetComponent(i, 0) : -std::abs(cone.HalfAngle);
     cone.OccluderId = occluderIds ? ids[static_cast<std::size_t>(i)] : 0;
-    cone.VectorCount = vectorCounts ? static_cast<int>(vectorCounts->GetComponent(i, 0)) : 0;
+    cone.VectorCount = vectorCounts ? WholeOf<int>(vectorCounts->GetComponent(i, 0)) : 0;
     cone.Planarity = planarities ? planarities->GetComponent(i, 0) : 0.0;
     cone.Overspill = overspills ? overspills->GetComponent(i, 0) : -1.0;
-    cone.LightId = lightIds ? static_cast<int>(lightIds->GetComponent(i, 0)) : 0;
+    cone.LightId = lightIds ? WholeOf<int>(lightIds->GetComponent(i, 0)) : 0;
     cone.Origin =
-      static_cast<ConeOrigin>(origins ? std::clamp(static_cast<int>(origins->GetComponent(i, 0)), 0, 2) : 0);
+      static_cast<ConeOrigin>(origins ? std::clamp(WholeOf<int>(origins->GetComponent(i, 0)), 0, 2) : 0);
     if (!CheckCone(cone, i, error))
     {
       return false;
@@ -283,10 +283,10 @@ ConeCertificate ReadConeCertificate(vtkFieldData* data, const std::vector<Cone>&
     return certificate;
   }
   certificate.Bounds = ReadCertifiedBounds(data);
-  certificate.NumberOfProvedParts = static_cast<vtkIdType>(value("NumberOfProvedParts"));
-  certificate.NumberOfGrownCones = static_cast<vtkIdType>(value("NumberOfGrownCones"));
-  certificate.NumberOfAddedCones = static_cast<vtkIdType>(value("NumberOfAddedCones"));
-  certificate.NumberOfOccludersWithoutCone = static_cast<vtkIdType>(value("NumberOfOccludersWithoutCone"));
+  certificate.NumberOfProvedParts = WholeOf<vtkIdType>(value("NumberOfProvedParts"));
+  certificate.NumberOfGrownCones = WholeOf<vtkIdType>(value("NumberOfGrownCones"));
+  certificate.NumberOfAddedCones = WholeOf<vtkIdType>(value("NumberOfAddedCones"));
+  certificate.NumberOfOccludersWithoutCone = WholeOf<vtkIdType>(value("NumberOfOccludersWithoutCone"));
   certificate.Certified = true;
   return certificate;
 }

@@ -2,6 +2,7 @@
 #include "scDensityData.h"
 
 #include "scSentence.h"
+#include "scTuples.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -70,11 +71,11 @@ bool ReadValues(vtkDataArray* array, DensityGrid& grid, std::string& error)
   for (vtkIdType point = 0; point < count; ++point)
   {
     const auto value = static_cast<float>(array->GetComponent(point, 0));
-    if (!(value >= 0.0f) || std::isinf(value))
+    if (!(value >= 0.0f) || FaultOf(static_cast<double>(value)))
     {
       std::ostringstream message;
       message << "The density of point " << point << " is " << array->GetComponent(point, 0)
-              << ": it must be finite and 0 or above.";
+              << ": it must be finite, 0 or above and at most 1e30.";
       error = message.str();
       return false;
     }

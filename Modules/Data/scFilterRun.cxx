@@ -238,16 +238,20 @@ FilterRun::FilterRun(vtkAlgorithm* algorithm, vtkInformation* request, vtkInform
 {
 }
 
-FilterRun::~FilterRun()
+namespace
 {
-  // The time that was asked for, else that of the first input that has one.
+
+/// Stamp every output with the time that was asked for, else with that of the first input that has one.
+void StampOutputs(
+  vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
   vtkNew<vtkInformation> stamp;
-  vtkInformation* asked = this->Outputs->GetInformationObject(RequestedPort(this->Request));
+  vtkInformation* asked = outputs->GetInformationObject(RequestedPort(request));
   if (asked->Has(Pipeline::TIME_RANGE()) && asked->Has(Pipeline::UPDATE_TIME_STEP()))
   {
     stamp->Set(vtkDataObject::DATA_TIME_STEP(), asked->Get(Pipeline::UPDATE_TIME_STEP()));
   }
-  ForEachConnection(this->Algorithm, this->Inputs, 0,
+  ForEachConnection(algorithm, inputs, 0,
     [&stamp](int, int, vtkInformation* info)
     {
       vtkDataObject* input = vtkDataObject::GetData(info);
@@ -256,12 +260,26 @@ FilterRun::~FilterRun()
         stamp->CopyEntry(input->GetInformation(), vtkDataObject::DATA_TIME_STEP());
       }
     });
-  for (int port = 0; port < this->Outputs->GetNumberOfInformationObjects(); ++port)
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
-    if (vtkDataObject* output = vtkDataObject::GetData(this->Outputs, port))
+    if (vtkDataObject* output = vtkDataObject::GetData(outputs, port))
     {
       output->GetInformation()->CopyEntry(stamp, vtkDataObject::DATA_TIME_STEP());
     }
+  }
+}
+
+} // namespace
+
+FilterRun::~FilterRun()
+{
+  try
+  {
+    StampOutputs(this->Algorithm, this->Request, this->Inputs, this->Outputs);
+  }
+  catch (...)
+  {
+    // Out of memory: the run fails, and what it leaves is empty and needs no time.
   }
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scFootprintData.h"
 
+#include "scCellPoints.h"
 #include "scFieldArrays.h"
 #include "scSentence.h"
+#include "scTuples.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -119,7 +121,8 @@ bool ReadOutlines(vtkPolyData* input, std::vector<OutlineRing>& outlines, std::s
   vtkDataArray* occluders = nullptr;
   vtkDataArray* lights = nullptr;
   const vtkIdType cells = input->GetNumberOfCells();
-  if (!FindArray(input->GetCellData(), "outlines", "ShadowClass", 1, cells, Need::Optional, classes, error) ||
+  if (!CheckCellPoints(input, error) ||
+    !FindArray(input->GetCellData(), "outlines", "ShadowClass", 1, cells, Need::Optional, classes, error) ||
     !FindArray(input->GetCellData(), "outlines", "OccluderId", 1, cells, Need::Optional, occluders, error) ||
     !FindArray(input->GetCellData(), "outlines", "LightId", 1, cells, Need::Optional, lights, error))
   {
@@ -131,9 +134,9 @@ bool ReadOutlines(vtkPolyData* input, std::vector<OutlineRing>& outlines, std::s
   for (lines->InitTraversal(); lines->GetNextCell(ids); ++cell)
   {
     OutlineRing ring;
-    ring.ShadowClass = classes ? static_cast<int>(classes->GetComponent(cell, 0)) : ring.ShadowClass;
-    ring.OccluderId = occluders ? static_cast<int>(occluders->GetComponent(cell, 0)) : ring.OccluderId;
-    ring.LightId = lights ? static_cast<int>(lights->GetComponent(cell, 0)) : ring.LightId;
+    ring.ShadowClass = classes ? WholeOf<int>(classes->GetComponent(cell, 0)) : ring.ShadowClass;
+    ring.OccluderId = occluders ? WholeOf<int>(occluders->GetComponent(cell, 0)) : ring.OccluderId;
+    ring.LightId = lights ? WholeOf<int>(lights->GetComponent(cell, 0)) : ring.LightId;
     const vtkIdType count = ids->GetNumberOfIds();
     ring.Closed = count > 1 && ids->GetId(0) == ids->GetId(count - 1);
     for (vtkIdType k = 0; k < count - (ring.Closed ? 1 : 0); ++k)
@@ -141,9 +144,9 @@ bool ReadOutlines(vtkPolyData* input, std::vector<OutlineRing>& outlines, std::s
       double p[3];
       input->GetPoint(ids->GetId(k), p);
       ring.Points.push_back({ p[0], p[1], p[2] });
-      if (!IsFinite(ring.Points.back()))
+      if (const char* fault = FaultOf(ring.Points.back()))
       {
-        error = Sentence("Point ", ids->GetId(k), " of the outlines has a coordinate that is not finite.");
+        error = Sentence("Point ", ids->GetId(k), " of the outlines has a coordinate that ", fault, ".");
         return false;
       }
     }

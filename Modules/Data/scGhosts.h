@@ -35,7 +35,7 @@ public:
 private:
   bool Has(vtkIdType item, int marks) const
   {
-    return this->Marks && item < this->Marks->GetNumberOfTuples() && (this->Marks->GetValue(item) & marks) != 0;
+    return this->Marks && item >= 0 && item < this->Marks->GetNumberOfTuples() && (this->Marks->GetValue(item) & marks) != 0;
   }
   vtkUnsignedCharArray* Marks;
 };

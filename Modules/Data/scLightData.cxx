@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scLightData.h"
 
+#include "scCellPoints.h"
 #include "scFieldArrays.h"
 #include "scGhosts.h"
 #include "scMeshData.h"
@@ -8,6 +9,7 @@
 #include "scShapeOfMesh.h"
 #include "scSpectrum.h"
 #include "scSunData.h"
+#include "scTuples.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -60,6 +62,11 @@ bool ReadField(vtkFieldData* data, const char* name, vtkIdType count, std::vecto
   for (vtkIdType i = 0; i < size; ++i)
   {
     values.push_back(array->GetComponent(i / components, static_cast<int>(i % components)));
+    if (std::fabs(values.back()) > LargestNumber)
+    {
+      error = Sentence(quoted, " holds ", values.back(), ", which is beyond 1e30.");
+      return false;
+    }
   }
   return true;
 }
@@ -215,9 +222,10 @@ bool ReadMesh(vtkPolyData* input, Light& light, std::string& error)
   const Ghosts hidden(input->GetPointData());
   for (vtkIdType id = 0; id < input->GetNumberOfPoints(); ++id)
   {
-    if (!hidden.IsPointHidden(id) && !IsFinite(PointAt(input->GetPoints(), id)))
+    const char* fault = FaultOf(PointAt(input->GetPoints(), id));
+    if (fault && !hidden.IsPointHidden(id))
     {
-      error = "Point " + std::to_string(id) + " of the light is not finite.";
+      error = Sentence("Point ", id, " of the light ", fault, ".");
       return false;
     }
   }
@@ -233,9 +241,14 @@ bool ReadMesh(vtkPolyData* input, Light& light, std::string& error)
       return false;
     }
   }
-  else
+  else if (CheckCellPoints(input, error))
   {
     AddVertices(input, light);
+  }
+  else
+  {
+    error = "The light: " + error;
+    return false;
   }
   if (input->GetFieldData()->GetArray("LightSpectrum"))
   {

@@ -39,9 +39,9 @@ bool CheckCell(
       error = Sentence("Cell ", cell, " uses point ", id, ", but there are ", numberOfPoints, " points.");
       return false;
     }
-    if (!std::isfinite(points[3 * id]) || !std::isfinite(points[3 * id + 1]) || !std::isfinite(points[3 * id + 2]))
+    if (const char* fault = FaultOf({ points[3 * id], points[3 * id + 1], points[3 * id + 2] }))
     {
-      error = Sentence("Point ", id, ", used by cell ", cell, ", has a coordinate that is not finite.");
+      error = Sentence("Point ", id, ", used by cell ", cell, ", has a coordinate that ", fault, ".");
       return false;
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scMeshSurfaces.h"
 
+#include "scCellPoints.h"
 #include "scGhosts.h"
 #include "scSentence.h"
 
@@ -153,6 +154,10 @@ void AcceptDataSets(vtkInformation* portInformation)
 vtkSmartPointer<vtkDataObject> SurfacesOf(vtkDataObject* input, vtkIdType& extracted, std::string& error)
 {
   extracted = 0;
+  if (!CheckCellPoints(input, error))
+  {
+    return nullptr;
+  }
   if (auto* data = vtkDataSet::SafeDownCast(input))
   {
     return PolyDataOf(data, extracted);

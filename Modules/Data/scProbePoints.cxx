@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scProbePoints.h"
 
+#include "scCellPoints.h"
 #include "scGhosts.h"
+#include "scSentence.h"
+#include "scTuples.h"
 
 #include "vtkCellCenters.h"
 #include "vtkCellData.h"
@@ -51,6 +54,10 @@ std::vector<vtkIdType> VisibleItems(vtkDataSet* data, bool atCells)
 
 bool ReadProbePoints(vtkDataSet* data, bool atCells, bool useNormals, ProbePoints& points, std::string& error)
 {
+  if (atCells && !CheckCellPoints(data, error))
+  {
+    return false;
+  }
   points.NumberOfItems = atCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   points.Items = VisibleItems(data, atCells);
   points.Points.resize(3 * points.Items.size());
@@ -73,10 +80,10 @@ bool ReadProbePoints(vtkDataSet* data, bool atCells, bool useNormals, ProbePoint
       data->GetPoint(points.Items[k], p);
     }
     const Vector3 point{ p[0], p[1], p[2] };
-    if (!IsFinite(point))
+    if (const char* fault = FaultOf(point))
     {
-      error = (atCells ? "The centre of cell " : "Point ") + std::to_string(points.Items[k]) +
-        " of the data set on input port 0 has a coordinate that is not finite.";
+      error = Sentence(atCells ? "The centre of cell " : "Point ", points.Items[k],
+        " of the data set on input port 0 has a coordinate that ", fault, ".");
       return false;
     }
     points.Bounds.Add(point);

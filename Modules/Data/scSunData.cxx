@@ -4,6 +4,7 @@
 #include "scFieldArrays.h"
 #include "scProbePoints.h"
 #include "scSentence.h"
+#include "scTuples.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -65,7 +66,7 @@ struct StepArrays
     step.Begin = this->Times->GetComponent(i, 0) / secondsOfHour - 0.5 * step.Length;
     step.Direction = Normalized({ this->Directions->GetComponent(i, 0), this->Directions->GetComponent(i, 1),
       this->Directions->GetComponent(i, 2) });
-    return std::isfinite(step.Begin) && std::isfinite(altitude) && step.Length > 0.0 &&
+    return !FaultOf({ step.Begin, altitude, step.Length }) && step.Length > 0.0 &&
       Dot(step.Direction, step.Direction) > 0.5 && IsFinite(step.Direction);
   }
 };

@@ -55,9 +55,9 @@ bool CopyFinitePoints(vtkPolyData* input, const char* item, std::vector<double>&
   CopyPoints(input, points);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (!std::isfinite(points[i]))
+    if (const char* fault = FaultOf(points[i]))
     {
-      error = std::string("The position of ") + item + " " + std::to_string(i / 3) + " is not finite.";
+      error = Sentence("The position of ", item, " ", i / 3, " ", fault, ".");
       return false;
     }
   }
@@ -72,10 +72,9 @@ bool CopyTriples(vtkDataArray* array, const char* item, std::vector<double>& val
     for (int c = 0; c < 3; ++c)
     {
       const double value = array->GetComponent(i, c);
-      if (!std::isfinite(value))
+      if (const char* fault = FaultOf(value))
       {
-        error =
-          std::string("The \"") + array->GetName() + "\" of " + item + " " + std::to_string(i) + " is not finite.";
+        error = Sentence("The \"", array->GetName(), "\" of ", item, " ", i, " ", fault, ".");
         return false;
       }
       values[3 * i + c] = value;

@@ -11,6 +11,7 @@
 #include "vtkDataArray.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,38 @@ class vtkPolyData;
 namespace shadowcones
 {
 
+/// A number of any array as a whole one: cut off towards 0, and at the ends of the type's range; -1 of what is no number.
+template <typename Whole>
+Whole WholeOf(double value)
+{
+  constexpr auto least = std::numeric_limits<Whole>::lowest();
+  constexpr auto most = std::numeric_limits<Whole>::max();
+  return std::isnan(value)                    ? Whole(-1)
+    : value <= static_cast<double>(least) ? least
+    : value >= static_cast<double>(most)  ? most
+                                          : static_cast<Whole>(value);
+}
+
+/// Squares and volumes of larger numbers leave what numbers can hold, and outputs in single precision cannot hold them.
+constexpr double LargestNumber = 1e30;
+
+/// What is wrong with a coordinate or a size, as a sentence ends; nullptr: nothing.
+inline const char* FaultOf(double value)
+{
+  return !std::isfinite(value) ? "is not finite" : std::fabs(value) > LargestNumber ? "is beyond 1e30" : nullptr;
+}
+inline const char* FaultOf(const Vector3& a)
+{
+  const char* first = FaultOf(a.X) ? FaultOf(a.X) : FaultOf(a.Y);
+  return first ? first : FaultOf(a.Z);
+}
+
 inline void CopyInts(vtkDataArray* array, std::vector<int>& values)
 {
   values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
-    values[i] = static_cast<int>(array->GetComponent(i, 0));
+    values[i] = WholeOf<int>(array->GetComponent(i, 0));
   }
 }
 

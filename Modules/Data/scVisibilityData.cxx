@@ -6,6 +6,7 @@
 #include "scParallel.h"
 #include "scProbePoints.h"
 #include "scSentence.h"
+#include "scTuples.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -68,12 +69,12 @@ bool ReadPlacement(vtkImageData* input, VisibilityGrid& grid, std::string& error
       error = text.str();
       return false;
     }
-    if (!std::isfinite(first[axis]) || !(spacing[axis] > 0.0) || std::isinf(spacing[axis]))
+    if (FaultOf(first[axis]) || FaultOf(spacing[axis]) || !(spacing[axis] > 0.0))
     {
       std::ostringstream text;
       text << "The visibility volume begins at " << first[axis] << " along "
            << "xyz"[axis] << " with a spacing of " << spacing[axis]
-           << ": both must be finite, and the spacing above 0.";
+           << ": both must be finite and at most 1e30, and the spacing above 0.";
       error = text.str();
       return false;
     }
@@ -274,14 +275,14 @@ bool ReadBricks(vtkFieldData* field, int light, VisibilityGrid& grid, std::strin
   grid.BrickParts = static_cast<int>(parts);
   const vtkIdType numberOfCells = grid.CellIndex(0, 0, grid.Dimensions[2] - 1);
   const auto isOther = [lightIds, light](vtkIdType brick)
-  { return static_cast<int>(lightIds ? lightIds->GetComponent(brick, 0) : 0.0) != light; };
+  { return WholeOf<int>(lightIds ? lightIds->GetComponent(brick, 0) : 0.0) != light; };
   for (vtkIdType brick = 0; brick < cells->GetNumberOfTuples(); ++brick)
   {
     if (isOther(brick))
     {
       continue;
     }
-    const auto cell = static_cast<vtkIdType>(cells->GetComponent(brick, 0));
+    const auto cell = WholeOf<vtkIdType>(cells->GetComponent(brick, 0));
     if (cell < 0 || cell >= numberOfCells || (!grid.BrickCells.empty() && cell <= grid.BrickCells.back()))
     {
       error = "\"BrickCells\" of the visibility volume must be cells of the volume in ascending order: that of brick " +

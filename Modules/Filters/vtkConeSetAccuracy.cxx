@@ -7,6 +7,7 @@
 #include "scConeProofCheck.h"
 #include "scFilterRun.h"
 #include "scFingerprints.h"
+#include "scGuardedRequest.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
 #include "scMeshData.h"
@@ -155,6 +156,7 @@ struct vtkConeSetAccuracy::Outcome
 };
 
 vtkStandardNewMacro(vtkConeSetAccuracy);
+scDefineGuardedRequests(vtkConeSetAccuracy);
 
 vtkConeSetAccuracy::vtkConeSetAccuracy()
 {

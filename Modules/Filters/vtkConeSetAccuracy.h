@@ -72,6 +72,9 @@ public:
   static vtkConeSetAccuracy* New();
   vtkTypeMacro(vtkConeSetAccuracy, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   ///@{
   /// The cone set, input port 1. Required.

@@ -6,6 +6,7 @@
 #include "scConeTuning.h"
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
+#include "scGuardedRequest.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
 #include "scParameterRanges.h"
@@ -103,6 +104,7 @@ struct vtkConeSetFilter::Outcome
 };
 
 vtkStandardNewMacro(vtkConeSetFilter);
+scDefineGuardedRequests(vtkConeSetFilter);
 
 vtkConeSetFilter::vtkConeSetFilter()
 {

@@ -70,6 +70,9 @@ public:
   static vtkConeSetFilter* New();
   vtkTypeMacro(vtkConeSetFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   ///@{
   /// Photon paths, input port 1. Optional.

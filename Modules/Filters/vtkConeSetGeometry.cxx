@@ -5,6 +5,7 @@
 #include "scConeSurface.h"
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
+#include "scGuardedRequest.h"
 #include "scParameterRanges.h"
 #include "scSentence.h"
 
@@ -121,6 +122,7 @@ double AutomaticLength(vtkPolyData* coneSet, const std::vector<Cone>& cones, int
 } // anonymous namespace
 
 vtkStandardNewMacro(vtkConeSetGeometry);
+scDefineGuardedRequests(vtkConeSetGeometry);
 
 vtkConeSetGeometry::vtkConeSetGeometry()
 {

@@ -35,6 +35,9 @@ public:
   static vtkConeSetGeometry* New();
   vtkTypeMacro(vtkConeSetGeometry, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   enum CutType
   {

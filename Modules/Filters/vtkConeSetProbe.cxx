@@ -7,6 +7,7 @@
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
 #include "scFingerprints.h"
+#include "scGuardedRequest.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
 #include "scOccluderNames.h"
@@ -62,6 +63,7 @@ struct vtkConeSetProbe::Inputs
 };
 
 vtkStandardNewMacro(vtkConeSetProbe);
+scDefineGuardedRequests(vtkConeSetProbe);
 
 vtkConeSetProbe::vtkConeSetProbe()
   : Prepared(std::make_unique<PreparedUser>())

@@ -79,6 +79,9 @@ public:
   static vtkConeSetProbe* New();
   vtkTypeMacro(vtkConeSetProbe, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   ///@{
   /// The cone set, input port 1. Optional for Exact: without it rays are sent from every point.

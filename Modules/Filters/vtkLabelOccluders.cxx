@@ -2,6 +2,7 @@
 #include "vtkLabelOccluders.h"
 
 #include "scFilterRun.h"
+#include "scGuardedRequest.h"
 #include "scLabelData.h"
 #include "scMeshSurfaces.h"
 #include "scParameterRanges.h"
@@ -37,6 +38,7 @@ OccluderLabel LabelOf(int labelBy, vtkDataObject* input)
 } // namespace
 
 vtkStandardNewMacro(vtkLabelOccluders);
+scDefineGuardedRequests(vtkLabelOccluders);
 
 vtkLabelOccluders::vtkLabelOccluders()
 {

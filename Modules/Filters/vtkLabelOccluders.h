@@ -75,6 +75,9 @@ public:
   static vtkLabelOccluders* New();
   vtkTypeMacro(vtkLabelOccluders, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   /// What makes one occluder.
   enum LabelByType

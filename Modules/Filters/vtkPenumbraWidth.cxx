@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPenumbraWidth.h"
 
+#include "scCellPoints.h"
 #include "scConeData.h"
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
+#include "scGuardedRequest.h"
 #include "scInputPorts.h"
 #include "scParameterRanges.h"
 #include "scPenumbraRuler.h"
@@ -33,6 +35,7 @@
 using namespace shadowcones;
 
 vtkStandardNewMacro(vtkPenumbraWidth);
+scDefineGuardedRequests(vtkPenumbraWidth);
 
 namespace
 {
@@ -194,7 +197,7 @@ bool vtkPenumbraWidth::ReadInputs(vtkInformationVector** inputs, Scene& scene, s
         "0 or above and finite" } });
   vtkPolyData* data = vtkPolyData::GetData(inputs[0]);
   if (!error.empty() || !ReadShadowScene(inputs, lightPort, meshPort, scene.Shadows, error) ||
-    !ReadProbePoints(data, false, true, scene.Points, error))
+    !CheckCellPoints(data, error) || !ReadProbePoints(data, false, true, scene.Points, error))
   {
     return false;
   }
@@ -206,8 +209,9 @@ bool vtkPenumbraWidth::ReadInputs(vtkInformationVector** inputs, Scene& scene, s
     if (scene.Normals.empty() && surface)
     {
       const std::vector<double> all = NormalsOfSurface(data);
-      for (const vtkIdType item : scene.Points.Items)
+      for (std::size_t k = 0; k < scene.Points.Items.size() && !all.empty(); ++k)
       {
+        const vtkIdType item = scene.Points.Items[k];
         const Vector3 normal = VectorAt(all, static_cast<std::size_t>(item));
         scene.Normals.insert(scene.Normals.end(), { normal.X, normal.Y, normal.Z });
       }

@@ -50,6 +50,9 @@ public:
   static vtkPenumbraWidth* New();
   vtkTypeMacro(vtkPenumbraWidth, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   ///@{
   /// The mesh that casts the shadows, input port 2.

@@ -3,6 +3,7 @@
 
 #include "scFootprintData.h"
 #include "scOccluderNames.h"
+#include "scWholeFile.h"
 
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <string>
 #include <tuple>
@@ -193,11 +193,8 @@ void vtkShadowFootprintWriter::WriteData()
   }
   vtkIdType leftOut = 0;
   const Json collection = CollectionOf(outlines, ReadOccluderNames(input->GetFieldData()), leftOut);
-  std::ofstream file(this->FileName, std::ios::binary);
   // Names that are no UTF-8 keep what can be kept of them.
-  file << collection.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
-  file.close();
-  if (!file)
+  if (!WriteWholeFile(this->FileName, collection.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"))
   {
     vtkErrorMacro("The file \"" << this->FileName
                                 << "\" cannot be written: is there such a folder, may it be written to, "

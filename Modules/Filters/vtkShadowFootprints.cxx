@@ -4,6 +4,7 @@
 #include "scConeData.h"
 #include "scFilterRun.h"
 #include "scFootprintData.h"
+#include "scGuardedRequest.h"
 #include "scInputPorts.h"
 #include "scParameterRanges.h"
 #include "scSentence.h"
@@ -24,6 +25,7 @@
 using namespace shadowcones;
 
 vtkStandardNewMacro(vtkShadowFootprints);
+scDefineGuardedRequests(vtkShadowFootprints);
 
 namespace
 {

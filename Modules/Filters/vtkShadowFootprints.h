@@ -54,6 +54,9 @@ public:
   static vtkShadowFootprints* New();
   vtkTypeMacro(vtkShadowFootprints, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   ///@{
   /// What casts the shadows, input port 2.

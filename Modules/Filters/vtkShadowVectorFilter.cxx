@@ -4,6 +4,7 @@
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
 #include "scFingerprints.h"
+#include "scGuardedRequest.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
 #include "scOccluderNames.h"
@@ -54,6 +55,7 @@ Warnings ReportPhotons(const TriangleMesh& mesh, const ShadowVectorOptions& opti
 } // namespace
 
 vtkStandardNewMacro(vtkShadowVectorFilter);
+scDefineGuardedRequests(vtkShadowVectorFilter);
 
 vtkShadowVectorFilter::vtkShadowVectorFilter()
   : Prepared(std::make_unique<PreparedUser>())

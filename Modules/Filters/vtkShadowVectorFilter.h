@@ -64,6 +64,9 @@ public:
   static vtkShadowVectorFilter* New();
   vtkTypeMacro(vtkShadowVectorFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   ///@{
   /// The light, input port 1. Required.

@@ -6,6 +6,7 @@
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
 #include "scFingerprints.h"
+#include "scGuardedRequest.h"
 #include "scInnerConeProof.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
@@ -259,6 +260,7 @@ struct vtkShadowVolume::Work
 };
 
 vtkStandardNewMacro(vtkShadowVolume);
+scDefineGuardedRequests(vtkShadowVolume);
 
 vtkShadowVolume::vtkShadowVolume()
 {

@@ -63,6 +63,9 @@ public:
   static vtkShadowVolume* New();
   vtkTypeMacro(vtkShadowVolume, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   ///@{
   /// A visibility volume, input port 1. Optional: where Visibility looks for shadow.

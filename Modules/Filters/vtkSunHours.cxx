@@ -3,6 +3,7 @@
 
 #include "scFilterRun.h"
 #include "scFingerprints.h"
+#include "scGuardedRequest.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
 #include "scMeshData.h"
@@ -48,6 +49,7 @@ struct vtkSunHours::Inputs
 };
 
 vtkStandardNewMacro(vtkSunHours);
+scDefineGuardedRequests(vtkSunHours);
 
 vtkSunHours::vtkSunHours()
 {

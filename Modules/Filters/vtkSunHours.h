@@ -60,6 +60,9 @@ public:
   static vtkSunHours* New();
   vtkTypeMacro(vtkSunHours, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   ///@{
   /// The mesh, input port 1.

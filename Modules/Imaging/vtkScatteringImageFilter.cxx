@@ -4,6 +4,7 @@
 #include "scCoarseImage.h"
 #include "scDensityData.h"
 #include "scFilterRun.h"
+#include "scGuardedRequest.h"
 #include "scImageOutput.h"
 #include "scImageReport.h"
 #include "scImageScene.h"
@@ -55,6 +56,7 @@ ToneMapping MappingBy(const std::vector<double>& wavelengths, double exposure, i
 } // namespace
 
 vtkStandardNewMacro(vtkScatteringImageFilter);
+scDefineGuardedRequests(vtkScatteringImageFilter);
 
 vtkScatteringImageFilter::vtkScatteringImageFilter()
   : Kept(std::make_unique<KeptImage>())

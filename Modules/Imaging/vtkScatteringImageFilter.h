@@ -144,6 +144,9 @@ public:
   static vtkScatteringImageFilter* New();
   vtkTypeMacro(vtkScatteringImageFilter, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   enum ModeType
   {

@@ -2,6 +2,7 @@
 #include "vtkToneMapRadiance.h"
 
 #include "scFilterRun.h"
+#include "scGuardedRequest.h"
 #include "scImageOutput.h"
 #include "scLightData.h"
 #include "scParameterRanges.h"
@@ -21,6 +22,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkToneMapRadiance);
+scDefineGuardedRequests(vtkToneMapRadiance);
 
 int vtkToneMapRadiance::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)

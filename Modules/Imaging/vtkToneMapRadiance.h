@@ -40,6 +40,9 @@ public:
   static vtkToneMapRadiance* New();
   vtkTypeMacro(vtkToneMapRadiance, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   enum ToneCurveType
   {

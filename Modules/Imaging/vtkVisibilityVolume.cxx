@@ -7,6 +7,7 @@
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
 #include "scFingerprints.h"
+#include "scGuardedRequest.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
 #include "scOccluderNames.h"
@@ -38,6 +39,7 @@
 using namespace shadowcones;
 
 vtkStandardNewMacro(vtkVisibilityVolume);
+scDefineGuardedRequests(vtkVisibilityVolume);
 
 namespace
 {

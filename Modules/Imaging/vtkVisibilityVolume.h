@@ -79,6 +79,9 @@ public:
   static vtkVisibilityVolume* New();
   vtkTypeMacro(vtkVisibilityVolume, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   ///@{
   /**

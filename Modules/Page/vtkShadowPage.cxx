@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShadowPage.h"
 
+#include "scCellPoints.h"
 #include "scPageTemplate.h"
 #include "scPageViewer.h"
+#include "scWholeFile.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkConeSetGeometry.h"
@@ -18,7 +20,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -162,6 +163,12 @@ std::string Tuple(const double (&values)[3])
 std::string vtkShadowPage::MakeLayer(
   vtkDataSet* data, const std::string& name, const std::string& look, const std::string& array)
 {
+  std::string fault;
+  if (!shadowcones::CheckCellPoints(data, fault))
+  {
+    vtkErrorMacro("'" << name << "' cannot be drawn. " << fault);
+    return {};
+  }
   vtkNew<vtkPolyData> drawn;
   Draw(data, drawn);
   const vtkIdType number = drawn->GetNumberOfPoints();
@@ -322,14 +329,8 @@ bool vtkShadowPage::Write(const std::string& fileName)
     vtkErrorMacro("There is nothing to write to '" << fileName << "': call AddMesh, AddCones or AddAnswer first.");
     return false;
   }
-  // Written beside and renamed: a full disk leaves no half page.
-  const std::string beside = fileName + ".part";
-  std::ofstream file(beside, std::ios::binary);
-  file << page;
-  file.close();
-  if (!file || std::rename(beside.c_str(), fileName.c_str()) != 0)
+  if (!shadowcones::WriteWholeFile(fileName, page))
   {
-    std::remove(beside.c_str());
     vtkErrorMacro("Cannot write '" << fileName << "': is the folder there, writable, and the disk not full?");
     return false;
   }

@@ -165,13 +165,14 @@ vtkSmartPointer<vtkDataSet> MakeGround(const PlaceOptions& options, const Scene&
   const double height = automatic ? bounds[2 * up] : numbers[0];
   const double across = std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
   const double size = automatic ? 4.0 * across : numbers[1];
-  const int cells = automatic ? 128 : static_cast<int>(numbers[2]) - 1;
-  if (!(size > 0.0) || cells < 1 || cells > 16384)
+  // Asked before it becomes a whole number, which may not hold it.
+  if (!(size > 0.0) || (!automatic && !(numbers[2] >= 2.0 && numbers[2] < 16386.0)))
   {
     throw Failure(
       "--ground " + options.Ground + ": expected height,size,points: a size above 0 and 2 to 16385 points a side",
       ExitUsage);
   }
+  const int cells = automatic ? 128 : static_cast<int>(numbers[2]) - 1;
   double corner[3];
   corner[up] = height;
   corner[right] = 0.5 * (bounds[2 * right] + bounds[2 * right + 1] - size);

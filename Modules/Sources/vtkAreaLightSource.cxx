@@ -2,6 +2,7 @@
 #include "vtkAreaLightSource.h"
 
 #include "scFieldArrays.h"
+#include "scGuardedRequest.h"
 #include "scLightData.h"
 #include "scParameterRanges.h"
 #include "scSentence.h"
@@ -136,6 +137,7 @@ void WriteMesh(const Light& light, int resolution, vtkPolyData* output)
 } // namespace
 
 vtkStandardNewMacro(vtkAreaLightSource);
+scDefineGuardedRequests(vtkAreaLightSource);
 
 vtkAreaLightSource::vtkAreaLightSource()
 {

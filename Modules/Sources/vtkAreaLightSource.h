@@ -53,6 +53,9 @@ public:
   static vtkAreaLightSource* New();
   vtkTypeMacro(vtkAreaLightSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   /// Values of Shape and of the field array "LightShape".
   enum ShapeType

@@ -4,6 +4,7 @@
 #include "scCivilTime.h"
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
+#include "scGuardedRequest.h"
 #include "scLightData.h"
 #include "scParameterRanges.h"
 #include "scSentence.h"
@@ -65,6 +66,7 @@ std::string ReadDate(const char* name, const std::string& text, double& seconds)
 } // namespace
 
 vtkStandardNewMacro(vtkSunPath);
+scDefineGuardedRequests(vtkSunPath);
 
 vtkSunPath::vtkSunPath()
 {

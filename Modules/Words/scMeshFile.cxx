@@ -2,6 +2,7 @@
 #include "scMeshFile.h"
 
 #include "sc3dsFile.h"
+#include "scCellPoints.h"
 #include "scChildProcess.h"
 #include "scMeshFormats.h"
 #include "scSentence.h"
@@ -24,7 +25,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSTLReader.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
@@ -70,35 +70,6 @@ public:
 };
 vtkStandardNewMacro(ErrorKeeper);
 
-template <typename Offsets, typename Ids>
-bool AreInRange(Offsets* offsets, Ids* ids, vtkIdType points)
-{
-  const vtkIdType size = ids->GetNumberOfValues();
-  for (vtkIdType i = 0; i < offsets->GetNumberOfValues(); ++i)
-  {
-    const vtkIdType least = i > 0 ? offsets->GetValue(i - 1) : 0;
-    if (offsets->GetValue(i) < least || offsets->GetValue(i) > size)
-    {
-      return false;
-    }
-  }
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    if (ids->GetValue(i) < 0 || ids->GetValue(i) >= points)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool AreInRange(vtkCellArray* cells, vtkIdType points)
-{
-  return !cells ||
-    (cells->IsStorage64Bit() ? AreInRange(cells->GetOffsetsArray64(), cells->GetConnectivityArray64(), points)
-                             : AreInRange(cells->GetOffsetsArray32(), cells->GetConnectivityArray32(), points));
-}
-
 bool HaveTuples(vtkFieldData* data, vtkIdType tuples)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -133,17 +104,8 @@ std::string FaultOf(vtkDataObject* object)
     return object ? Sentence("it holds a ", object->GetClassName(), ", which has no surface") : "it holds nothing";
   }
   const vtkIdType points = data->GetNumberOfPoints();
-  bool right = true;
-  if (auto* mesh = vtkPolyData::SafeDownCast(data))
-  {
-    right = AreInRange(mesh->GetVerts(), points) && AreInRange(mesh->GetLines(), points) &&
-      AreInRange(mesh->GetPolys(), points) && AreInRange(mesh->GetStrips(), points);
-  }
-  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    right = AreInRange(grid->GetCells(), points);
-  }
-  if (!right)
+  std::string fault;
+  if (!CheckCellPoints(data, fault))
   {
     return "a cell uses a point that is not there";
   }

@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <new>
 
 vtkStandardNewMacro(vtkMeshFiles);
 
@@ -61,15 +62,22 @@ bool vtkMeshFiles::Read()
   this->Names.clear();
   this->Meshes.clear();
   this->Error = this->FileNames.empty() ? "There is no mesh file to read." : "";
-  for (const std::string& path : this->FileNames)
+  try
   {
-    const vtkSmartPointer<vtkPolyData> mesh =
-      this->Error.empty() ? shadowcones::ReadMeshFile(path, this->Error) : nullptr;
-    if (mesh)
+    for (const std::string& path : this->FileNames)
     {
-      this->Names.push_back(this->FreeName(path));
-      this->Meshes.push_back(mesh);
+      const vtkSmartPointer<vtkPolyData> mesh =
+        this->Error.empty() ? shadowcones::ReadMeshFile(path, this->Error) : nullptr;
+      if (mesh)
+      {
+        this->Names.push_back(this->FreeName(path));
+        this->Meshes.push_back(mesh);
+      }
     }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Error = "There is not enough memory for the meshes of these files.";
   }
   if (!this->Error.empty())
   {

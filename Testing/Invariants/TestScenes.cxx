@@ -6,7 +6,10 @@
 #include "TestPolyData.h"
 
 #include "vtkConeSetGeometry.h"
+#include "vtkConeSetProbe.h"
+#include "vtkPenumbraWidth.h"
 #include "vtkScatteringImageFilter.h"
+#include "vtkShadowFootprintWriter.h"
 
 #include "vtkCamera.h"
 #include "vtkCleanPolyData.h"
@@ -330,4 +333,66 @@ TEST(RealMeshes, TheCatHasConesThoughItIsOpen)
     GTEST_SKIP() << "package glmark2-data is not installed";
   }
   ExpectCones(Read3DS(path));
+}
+
+TEST(Scenes, CellsOfPointsThatAreNotThere)
+{
+  // Wherever cells come in, and not in meshes alone.
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1, 99 });
+  vtkNew<vtkCellArray> vertex;
+  vertex->InsertNextCell({ -3 });
+  const auto dataOf = [](void (vtkPolyData::*set)(vtkCellArray*), vtkCellArray* broken)
+  {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(0.0, 0.1, 0.0);
+    points->InsertNextPoint(1.0, 0.1, 0.0);
+    data->SetPoints(points);
+    (data->*set)(broken);
+    return data;
+  };
+  const auto lamp = RoomLamp();
+  const auto chair = LabelledMesh(ReadData("chair.vtp"));
+  for (const auto& where : { dataOf(&vtkPolyData::SetLines, cells), dataOf(&vtkPolyData::SetPolys, cells) })
+  {
+    vtkNew<vtkPenumbraWidth> widths;
+    widths->SetInputData(where);
+    widths->SetLightData(lamp);
+    widths->SetMeshData(chair);
+    EXPECT_SAYS(ErrorsOf(widths), "Cell 0 uses point 99, but there are 2 points.");
+    vtkNew<vtkConeSetProbe> probe;
+    probe->SetAssociationToCells();
+    probe->SetInputData(where);
+    probe->SetLightData(lamp);
+    probe->SetMeshData(chair);
+    EXPECT_SAYS(ErrorsOf(probe), "Cell 0 uses point 99");
+  }
+  vtkNew<vtkShadowFootprintWriter> writer;
+  writer->SetInputData(dataOf(&vtkPolyData::SetLines, cells));
+  writer->SetFileName("nothing.geojson");
+  EXPECT_SAYS(ErrorsOf(writer), "Cell 0 uses point 99");
+  vtkNew<vtkConeSetProbe> dark;
+  dark->SetInputData(chair);
+  dark->SetMeshData(chair);
+  dark->SetLightData(dataOf(&vtkPolyData::SetVerts, vertex));
+  EXPECT_SAYS(ErrorsOf(dark), "The light: Cell 0 uses point -3, but there are 2 points.");
+}
+
+TEST(Scenes, NumbersBeyondWhatOutputsHold)
+{
+  vtkNew<vtkLabelOccluders> labels;
+  labels->SetInputData(Placed(ReadData("chair.vtp"), 1e31, 0.0));
+  EXPECT_SAYS(ErrorsOf(labels), "has a coordinate that is beyond 1e30.");
+  const auto chair = LabelledMesh(ReadData("chair.vtp"));
+  vtkNew<vtkAreaLightSource> lamp;
+  lamp->SetCenter(0.0, 5.0, 0.0);
+  lamp->SetNormal(0.0, -1.0, 0.0);
+  lamp->SetRadiance(1e35);
+  vtkNew<vtkConeSetProbe> probe;
+  probe->SetInputData(chair);
+  probe->SetMeshData(chair);
+  probe->SetLightConnection(lamp->GetOutputPort());
+  probe->ComputeFluenceRateOn();
+  EXPECT_SAYS(ErrorsOf(probe), "\"LightSpectrum\" holds 1e+35, which is beyond 1e30.");
 }
