@@ -1,9 +1,16 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Build everything with the address and undefined-behaviour sanitizers and run every test:
-# sh Utilities/sanitize.sh [options for ctest]
+# Build everything with sanitizers and run every test:
+# sh Utilities/sanitize.sh [options for ctest]         address and undefined behaviour
+# sh Utilities/sanitize.sh thread [options for ctest]  threads, with the backend STDThread of VTK
 set -eu
 . "$(dirname "$0")/setup.sh"
+
+preset=sanitize
+if [ "${1:-}" = thread ]; then
+  preset=thread
+  shift
+fi
 
 install_packages build test
 cd "$root"
@@ -12,7 +19,12 @@ suppressions="$root/Utilities/sanitize"
 export ASAN_OPTIONS="detect_stack_use_after_return=1:strict_string_checks=1"
 export LSAN_OPTIONS="suppressions=$suppressions/leaks.txt:print_suppressions=0"
 export UBSAN_OPTIONS="print_stacktrace=1:suppressions=$suppressions/undefined.txt"
+export TSAN_OPTIONS="halt_on_error=0:exitcode=66:second_deadlock_stack=1:suppressions=$suppressions/threads.txt"
+if [ "$preset" = thread ]; then
+  # Threads of TBB are started by code that was built without the sanitizer: what they wait for is not seen.
+  export VTK_SMP_BACKEND_IN_USE=STDThread
+fi
 
-cmake --preset sanitize || fail "configuring failed; the reason stands above"
-cmake --build --preset sanitize -j "$(nproc)" || fail "building failed; the reason stands above"
-ctest --preset sanitize -j2 "$@"
+cmake --preset "$preset" || fail "configuring failed; the reason stands above"
+cmake --build --preset "$preset" -j "$(nproc)" || fail "building failed; the reason stands above"
+ctest --preset "$preset" -j2 "$@"

@@ -17,7 +17,8 @@ int FailRequest(
 {
   try
   {
-    if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+    // What is left of a run before is not what was asked for now.
+    if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
     {
       for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
       {

@@ -3,6 +3,7 @@
 #include "scCommandLine.h"
 #include "scFailure.h"
 #include "scTerminal.h"
+#include "vtkLogger.h"
 #include "vtkOutputWindow.h"
 
 #include <CLI/CLI.hpp>
@@ -15,6 +16,7 @@ int main(int argc, char** argv)
   using namespace shadowcones;
   // Messages of filters come as sentences of this program.
   vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   WatchInterrupt();
   const std::unique_ptr<CLI::App> program = MakeProgram();
   const std::string first = argc > 1 ? argv[1] : "";

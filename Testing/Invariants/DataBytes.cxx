@@ -160,6 +160,19 @@ NamedBytes CellSoup(vtkDataObject* data)
   return named;
 }
 
+NamedBytes BytesOfOutputs(vtkAlgorithm* filter)
+{
+  NamedBytes all;
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    for (const auto& [name, bytes] : BytesOf(filter->GetOutputDataObject(port)))
+    {
+      all["output " + std::to_string(port) + " " + name] = bytes;
+    }
+  }
+  return all;
+}
+
 std::map<std::string, vtkMTimeType> TimesOf(vtkDataObject* data)
 {
   std::map<std::string, vtkMTimeType> times{ { "object", data->GetMTime() } };

@@ -6,6 +6,7 @@
 #ifndef DataBytes_h
 #define DataBytes_h
 
+#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 
 #include <map>
@@ -24,6 +25,9 @@ NamedBytes BytesOf(vtkDataObject* data);
  * can be joined from, whichever way they share points. Images: one cell a point.
  */
 NamedBytes CellSoup(vtkDataObject* data);
+
+/// The same of every output of a filter.
+NamedBytes BytesOfOutputs(vtkAlgorithm* filter);
 
 /// Times of change of the data object, its coordinates, cells and arrays.
 std::map<std::string, vtkMTimeType> TimesOf(vtkDataObject* data);

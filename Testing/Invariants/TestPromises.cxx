@@ -28,19 +28,6 @@ class Promises : public testing::TestWithParam<Case>
 {
 };
 
-NamedBytes OutputsOf(vtkAlgorithm* filter)
-{
-  NamedBytes all;
-  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
-  {
-    for (const auto& [name, bytes] : BytesOf(filter->GetOutputDataObject(port)))
-    {
-      all["output " + std::to_string(port) + " " + name] = bytes;
-    }
-  }
-  return all;
-}
-
 Setting Connected(const Case& one, Size size = Size::Small)
 {
   Setting setting = one.Make(size);
@@ -79,7 +66,7 @@ TEST_P(Promises, ThreadsDoNotChangeABit)
     setting.Filter->Update();
     EXPECT_EQ(messages.Errors, "");
     EXPECT_FALSE(IsEmpty(setting.Filter->GetOutputDataObject(0)));
-    const NamedBytes bytes = OutputsOf(setting.Filter);
+    const NamedBytes bytes = BytesOfOutputs(setting.Filter);
     reference = reference.empty() ? bytes : reference;
     EXPECT_EQ(Difference(reference, bytes), "") << backend << " " << threads;
   }
@@ -128,7 +115,7 @@ TEST_P(Promises, OnePortInPiecesLeavesTheOthersWhole)
 {
   const Setting whole = Connected(GetParam());
   whole.Filter->Update();
-  const NamedBytes truth = OutputsOf(whole.Filter);
+  const NamedBytes truth = BytesOfOutputs(whole.Filter);
   const Setting setting = Connected(GetParam());
   if (vtkImageData::SafeDownCast(whole.Filter->GetOutputDataObject(0)))
   {
@@ -273,7 +260,7 @@ TEST_P(Promises, ARunAfterAnAbortIsComplete)
   setting.Filter->SetAbortExecute(0); // VTK 9.3 leaves the flag to its user
   setting.Filter->Modified();
   setting.Filter->Update();
-  EXPECT_EQ(Difference(OutputsOf(reference.Filter), OutputsOf(setting.Filter)), "");
+  EXPECT_EQ(Difference(BytesOfOutputs(reference.Filter), BytesOfOutputs(setting.Filter)), "");
 }
 
 TEST_P(Promises, InputsAreLeftAlone)
