@@ -330,8 +330,11 @@ void Finder::PlacePoints()
 /// Join pieces end to end: those that begin where none ends first, then closed ones.
 void Finder::ChainPieces()
 {
-  for (const auto& [key, pieces] : this->Pieces)
+  for (const auto& group : this->Pieces)
   {
+    // By their names: not every compiler takes those of a structured binding into a function.
+    const auto& key = group.first;
+    const auto& pieces = group.second;
     std::unordered_multimap<vtkIdType, std::size_t> from;
     std::unordered_map<vtkIdType, int> ends;
     for (std::size_t k = 0; k < pieces.size(); ++k)
