@@ -18,7 +18,7 @@ class vtkInformationVector;
 namespace shadowcones
 {
 
-/// Empty the outputs, where the request was for data, and say by vtkErrorMacro of the filter what happened. @return 0.
+/// Empty the outputs, as soon as there are any, and say by vtkErrorMacro of the filter what happened. @return 0.
 SHADOWCONESDATA_EXPORT int FailRequest(vtkAlgorithm* algorithm, vtkInformation* request,
   vtkInformationVector* outputVector, const char* what) noexcept;
 
