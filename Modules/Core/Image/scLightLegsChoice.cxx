@@ -17,7 +17,7 @@ namespace
 constexpr double cellsOfTables[] = { 4.0, 2.0, 1.0, 0.5 };
 /// No table has more places, and none so many that filling it costs more than the pixels' own integrals.
 constexpr std::int64_t mostPlaces = std::int64_t(1) << 18;
-constexpr double placesOfPixel = 24.0;
+constexpr double placesOfPixel = 64.0;
 /// Rays by rays that are looked at, places on each, and of the light's points as seen from a place every so manieth.
 constexpr int raySide = 8;
 constexpr int placesOfRay = 32;
