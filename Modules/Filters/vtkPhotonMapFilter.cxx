@@ -5,6 +5,7 @@
 #include "scFieldArrays.h"
 #include "scFilterRun.h"
 #include "scFingerprints.h"
+#include "scGuardedRequest.h"
 #include "scInputPorts.h"
 #include "scLightData.h"
 #include "scMediumData.h"
@@ -71,6 +72,7 @@ Warnings ReportPhotons(const PhotonMapOptions& options, const PhotonMap& map)
 } // namespace
 
 vtkStandardNewMacro(vtkPhotonMapFilter);
+scDefineGuardedRequests(vtkPhotonMapFilter);
 
 vtkPhotonMapFilter::vtkPhotonMapFilter()
   : Prepared(std::make_unique<PreparedUser>())

@@ -68,6 +68,9 @@ public:
   static vtkPhotonMapFilter* New();
   vtkTypeMacro(vtkPhotonMapFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   enum PhaseFunctionType
   {

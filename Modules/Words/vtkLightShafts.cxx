@@ -2,6 +2,7 @@
 #include "vtkLightShafts.h"
 
 #include "scFilterRun.h"
+#include "scGuardedRequest.h"
 #include "scInnerFilter.h"
 #include "scInputPorts.h"
 #include "scMeshBlocks.h"
@@ -39,6 +40,7 @@
 using namespace shadowcones;
 
 vtkStandardNewMacro(vtkLightShafts);
+scDefineGuardedRequests(vtkLightShafts);
 
 namespace
 {

@@ -51,6 +51,9 @@ public:
   static vtkLightShafts* New();
   vtkTypeMacro(vtkLightShafts, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  /// Out of memory is a message, and leaves empty outputs.
+  int ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   enum UpType { Automatic = 0, X = 1, Y = 2, Z = 3 };
   enum ToneCurveType { Linear = 0, Filmic = 1 };
