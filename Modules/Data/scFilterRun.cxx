@@ -2,20 +2,20 @@
 #include "scFilterRun.h"
 
 #include "scDataFingerprint.h"
+#include "scRanks.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <cstring>
 #include <limits>
 #include <set>
@@ -73,19 +73,6 @@ void ForEachConnection(vtkAlgorithm* algorithm, vtkInformationVector** inputVect
       call(port, i, inputVector[port]->GetInformationObject(i));
     }
   }
-}
-
-/// Does the pipeline hand over the blocks of a composite input one by one?
-bool IsIterated(vtkAlgorithm* algorithm, vtkInformationVector** inputVector)
-{
-  bool iterated = false;
-  ForEachConnection(algorithm, inputVector, 0,
-    [&](int port, int connection, vtkInformation* info)
-    {
-      vtkDataObject* whole = algorithm->GetInputDataObject(port, connection);
-      iterated = iterated || (vtkCompositeDataSet::SafeDownCast(whole) && vtkDataObject::GetData(info) != whole);
-    });
-  return iterated;
 }
 } // anonymous namespace
 
@@ -165,9 +152,11 @@ void OfferTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputVector, vtk
       info->Set(Pipeline::TIME_RANGE(), times.Range, 2);
     }
   }
+  OfferTogether(outputVector);
 }
 
-void RequestWholeInputs(vtkAlgorithm* algorithm, vtkInformationVector** inputVector, int firstPort)
+void RequestWholeInputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector, int firstPort)
 {
   ForEachConnection(algorithm, inputVector, firstPort,
     [](int, int, vtkInformation* info)
@@ -180,6 +169,7 @@ void RequestWholeInputs(vtkAlgorithm* algorithm, vtkInformationVector** inputVec
         info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
       }
     });
+  AskTogether(algorithm, request, inputVector, outputVector, firstPort);
 }
 
 void UpdateInputs(vtkAlgorithm* algorithm, vtkInformationVector** inputVector)
@@ -271,10 +261,45 @@ void StampOutputs(
 
 } // namespace
 
+/// Tell the others how it went, where they do not know yet; leave nothing where one failed.
+void FilterRun::Agree()
+{
+  if (!this->Members)
+  {
+    return;
+  }
+  if (!this->Members->IsOver())
+  {
+    const bool failed = this->Failed || std::uncaught_exceptions() > 0; // out of memory, which is said elsewhere
+    const std::vector<TeamState> states = this->Members->Meet(failed ? TeamState::Failed : TeamState::Done);
+    const auto unlike = std::find_if(states.begin(), states.end(), [](TeamState state) { return state != TeamState::Done; });
+    if (!failed && unlike != states.end() && *unlike != TeamState::Stopped)
+    {
+      vtkErrorWithObjectMacro(this->Algorithm, << "Process " << unlike - states.begin() << " of " << states.size()
+                                               << " failed, and says why: there is no output in any of them.");
+    }
+  }
+  if (this->Members->IsBroken())
+  {
+    for (int port = 0; port < this->Outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      if (vtkDataObject* output = vtkDataObject::GetData(this->Outputs, port))
+      {
+        // Released, it is made again at the next update, in all processes.
+        output->ReleaseData();
+        output->GetInformation()->Set(vtkDataObject::DATA_EXTENT_TYPE(), output->GetExtentType());
+        this->Outputs->GetInformationObject(port)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+      }
+    }
+  }
+}
+
 FilterRun::~FilterRun()
 {
   try
   {
+    this->Agree();
+    ForgetTogether(this->Outputs);
     StampOutputs(this->Algorithm, this->Request, this->Inputs, this->Outputs);
   }
   catch (...)
@@ -285,45 +310,66 @@ FilterRun::~FilterRun()
 
 bool FilterRun::AreInputsWhole(std::string& error, int firstPort) const
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const PieceRequest piece = RequestedPiece(this->Request, this->Outputs);
-  const int processes = controller ? controller->GetNumberOfProcesses() : 1;
-  if (processes < 2 || piece.NumberOfPieces != processes || piece.Piece != controller->GetLocalProcessId() ||
-    IsIterated(this->Algorithm, this->Inputs))
+  vtkMultiProcessController* controller =
+    ControllerOfRun(this->Algorithm, this->Request, this->Inputs, this->Outputs);
+  if (!controller)
   {
     return true;
   }
+  this->Members = std::make_unique<Ranks>(controller);
+  int lacking = -1;
+  ForEachConnection(this->Algorithm, this->Inputs, 0,
+    [&lacking](int port, int, vtkInformation* info)
+    {
+      vtkDataObject* data = vtkDataObject::GetData(info);
+      lacking = lacking < 0 && data && data->GetDataReleased() ? port : lacking;
+    });
   std::vector<Fingerprint> ports(static_cast<std::size_t>(this->Algorithm->GetNumberOfInputPorts()));
-  ForEachConnection(this->Algorithm, this->Inputs, firstPort,
+  ForEachConnection(this->Algorithm, this->Inputs, 0,
     [&ports](int port, int, vtkInformation* info) { AddData(vtkDataObject::GetData(info), ports[port]); });
-  // As bytes: controllers have no words of 64 bits on every system.
-  const std::size_t size = ports.size() * sizeof(std::uint64_t);
-  std::vector<unsigned char> own(size);
-  std::vector<unsigned char> all(size * static_cast<std::size_t>(processes));
+  std::vector<vtkIdType> own(ports.size());
   for (std::size_t port = 0; port < ports.size(); ++port)
   {
     const std::uint64_t value = ports[port].Value();
-    std::memcpy(own.data() + port * sizeof(value), &value, sizeof(value));
+    std::memcpy(&own[port], &value, sizeof(value));
   }
-  controller->AllGather(own.data(), all.data(), static_cast<vtkIdType>(size));
+  const std::vector<vtkIdType> all = this->Members->GatherNumbers(own);
+  this->Same.assign(ports.size(), true);
   for (std::size_t at = 0; at < all.size(); ++at)
   {
-    if (all[at] != all[at % size])
+    const std::size_t port = at % ports.size();
+    const bool same = all[at] == all[port];
+    this->Same[port] = this->Same[port] && same;
+    if (!same && lacking < 0 && error.empty() && static_cast<int>(port) >= firstPort)
     {
-      error = "Input port " + std::to_string(at % size / sizeof(std::uint64_t)) + " is not the same in all " +
-        std::to_string(processes) + " processes: process " + std::to_string(at / size) +
+      error = "Input port " + std::to_string(port) + " is not the same in all " +
+        std::to_string(this->Members->GetSize()) + " processes: process " + std::to_string(at / ports.size()) +
         " has other data than process 0, and an answer from a part of a mesh would be wrong. Gather it first: save the "
         "mesh to one file and read that, which gives the whole to every process.";
-      return false;
     }
   }
-  return true;
+  if (lacking >= 0)
+  {
+    error = "Input port " + std::to_string(lacking) + " has nothing: the filter before it failed, and says why.";
+  }
+  return error.empty();
+}
+
+Team* FilterRun::GetTeam() const
+{
+  return this->Members.get();
+}
+
+Team* FilterRun::GetTeamOn(int port) const
+{
+  return this->Members && this->Same[static_cast<std::size_t>(port)] ? this->Members.get() : nullptr;
 }
 
 int FilterRun::Fail(const std::string& error) const
 {
   vtkErrorWithObjectMacro(this->Algorithm, << error);
-  return 0;
+  this->Failed = true;
+  return this->Members ? 1 : 0;
 }
 
 } // namespace shadowcones

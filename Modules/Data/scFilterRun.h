@@ -10,7 +10,9 @@
 #include "scParallel.h"
 #include "vtkType.h"
 
+#include <memory>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkDataObject;
@@ -19,6 +21,8 @@ class vtkInformationVector;
 
 namespace shadowcones
 {
+class Ranks;
+class Team;
 
 /// Is a filter to stop? VTK 9.3 asks what stands before and behind it too; before, a filter has a flag of its own.
 template <typename Algorithm>
@@ -67,9 +71,12 @@ SHADOWCONESDATA_EXPORT void OfferImage(
 SHADOWCONESDATA_EXPORT void OfferTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector, int timeless = -1);
 
-/// Ask every input from @p firstPort on for all of its data, images for their whole extent.
-SHADOWCONESDATA_EXPORT void RequestWholeInputs(
-  vtkAlgorithm* algorithm, vtkInformationVector** inputVector, int firstPort = 0);
+/**
+ * Ask every input from @p firstPort on for all of its data, images for their whole extent; together with other processes
+ * where this filter is run so, see scRanks.h.
+ */
+SHADOWCONESDATA_EXPORT void RequestWholeInputs(vtkAlgorithm* algorithm, vtkInformation* request,
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector, int firstPort = 0);
 
 /**
  * Bring all inputs up to date, whole and at their first time: for a RequestInformation that has to look at data. The time
@@ -83,7 +90,10 @@ SHADOWCONESDATA_EXPORT void EmptyOutput(vtkDataObject* output);
 /// The part of an image's whole extent that is asked for. @return false where that has no point.
 SHADOWCONESDATA_EXPORT bool RequestedExtent(vtkInformation* outputInformation, int extent[6]);
 
-/// One RequestData of a filter: made at its beginning. At its end every output is stamped with the time it stands for.
+/**
+ * One RequestData of a filter: made at its beginning. At its end every output is stamped with the time it stands for, and
+ * processes that have run it together tell each other how it went: where it failed in one there are no outputs in any.
+ */
 class SHADOWCONESDATA_EXPORT FilterRun
 {
 public:
@@ -95,22 +105,34 @@ public:
 
   /**
    * Are the inputs from @p firstPort on the same in every process? Filters need them whole: an answer from the part that one
-   * process has would be wrong. Asked where the pipeline runs in parallel: vtkMultiProcessController's global controller
-   * has several processes, and this one is asked for the piece of its own rank. All of them must then run the filter, as
-   * they do in ParaView, and this comes before anything that could fail in one of them only. Not asked where the pipeline
-   * runs the filter for each block of a composite input: processes may have unlike numbers of blocks.
+   * process has would be wrong. Asked where processes run the filter together (see scRanks.h): in all of them, as in
+   * ParaView, and before anything that could fail in one of them only. Not asked where the pipeline runs the filter for each
+   * block of a composite input: processes may have unlike numbers of blocks.
    * @return false, with a sentence in @p error that names the port and says what to do.
    */
   bool AreInputsWhole(std::string& error, int firstPort = 0) const;
 
-  /// Say what is wrong by vtkErrorMacro of the filter. @return 0, for RequestData to return.
+  /// Those who run the filter together, once AreInputsWhole() was asked; nullptr: this process alone.
+  Team* GetTeam() const;
+  /// The same, where the input at this port is the same in all: each may then answer for a share of it. Else nullptr.
+  Team* GetTeamOn(int port) const;
+
+  /**
+   * Say what is wrong by vtkErrorMacro of the filter. @return what RequestData is to return: 0; where others run it too 1,
+   * so that filters behind it, which meet, run in all processes or in none.
+   */
   int Fail(const std::string& error) const;
 
 private:
+  void Agree();
+
   vtkAlgorithm* Algorithm;
   vtkInformation* Request;
   vtkInformationVector** Inputs;
   vtkInformationVector* Outputs;
+  mutable std::unique_ptr<Ranks> Members;
+  mutable std::vector<bool> Same; ///< input ports that hold the same data in all processes
+  mutable bool Failed = false;
 };
 
 } // namespace shadowcones

@@ -188,9 +188,10 @@ int vtkConeSetAccuracy::RequestInformation(
   return 1;
 }
 
-int vtkConeSetAccuracy::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkConeSetAccuracy::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  RequestWholeInputs(this, inputVector);
+  RequestWholeInputs(this, request, inputVector, outputVector);
   return 1;
 }
 

@@ -150,9 +150,10 @@ int vtkConeSetFilter::RequestInformation(
   return 1;
 }
 
-int vtkConeSetFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkConeSetFilter::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  RequestWholeInputs(this, inputVector);
+  RequestWholeInputs(this, request, inputVector, outputVector);
   return 1;
 }
 
@@ -245,7 +246,7 @@ void vtkConeSetFilter::WriteCones(const Outcome& outcome, const ConeSetInputs& i
   WriteConeCertificate(CertificateOf(outcome.Proof, outcome.Set.Cones, inputs.Mesh.View(), inputs.Lights), data);
 }
 
-bool vtkConeSetFilter::Fit(const ConeSetInputs& inputs, bool prove, Outcome& outcome)
+bool vtkConeSetFilter::Fit(const ConeSetInputs& inputs, bool prove, Team* team, Outcome& outcome)
 {
   const bool automatic = this->Tuning == Automatic;
   const bool tune = this->Tuning != Manual && !inputs.Vectors.Points.empty() && !inputs.Paths.Points.empty();
@@ -260,7 +261,7 @@ bool vtkConeSetFilter::Fit(const ConeSetInputs& inputs, bool prove, Outcome& out
   if (tune)
   {
     if (!TuneConeSet(inputs.Vectors.View(), inputs.Paths.View(), inputs.Extents, kind, outcome.Options,
-          monitor.Part(0.0, tuned), outcome.Tuning))
+          monitor.Part(0.0, tuned), outcome.Tuning, team))
     {
       return false;
     }
@@ -308,7 +309,7 @@ int vtkConeSetFilter::RequestData(
   Outcome outcome;
   try
   {
-    if (!this->Fit(inputs, prove, outcome))
+    if (!this->Fit(inputs, prove, run.GetTeam(), outcome))
     {
       return 1; // aborted: the outputs stay empty
     }

@@ -59,6 +59,7 @@ class vtkFieldData;
 
 namespace shadowcones
 {
+class Team;
 struct ConeSetInputs;
 struct ConeSetOptions;
 struct PieceRequest;
@@ -284,7 +285,7 @@ private:
   std::string CheckRequest(bool hasPaths) const;
   shadowcones::ConeSetOptions Options() const;
   /// @return false where aborted.
-  bool Fit(const shadowcones::ConeSetInputs& inputs, bool prove, Outcome& outcome);
+  bool Fit(const shadowcones::ConeSetInputs& inputs, bool prove, shadowcones::Team* team, Outcome& outcome);
   void WriteCones(const Outcome& outcome, const shadowcones::ConeSetInputs& inputs,
     const shadowcones::PieceRequest& piece, vtkFieldData* inputData, vtkPolyData* output) const;
 

@@ -118,10 +118,11 @@ int vtkConeSetProbe::RequestInformation(
   return 1;
 }
 
-int vtkConeSetProbe::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkConeSetProbe::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // The data set is asked for what is asked of the output; the rest is needed as a whole.
-  RequestWholeInputs(this, inputVector, 1);
+  RequestWholeInputs(this, request, inputVector, outputVector, 1);
   return 1;
 }
 
@@ -235,7 +236,7 @@ bool vtkConeSetProbe::ReadArrivingLight(Inputs& in, std::string& error) const
   return true;
 }
 
-bool vtkConeSetProbe::Probe(const Inputs& in, VisibilityResult& result)
+bool vtkConeSetProbe::Probe(const Inputs& in, Team* team, VisibilityResult& result)
 {
   VisibilityOptions options;
   options.Method = static_cast<VisibilityMethod>(this->Method);
@@ -256,7 +257,7 @@ bool vtkConeSetProbe::Probe(const Inputs& in, VisibilityResult& result)
     asked.push_back(probes.back().get());
   }
   const double* normals = in.Points.Normals.empty() ? nullptr : in.Points.Normals.data();
-  return ProbeVisibility(asked, in.Points.Points.data(), normals, in.Points.Count(), MonitorOf(this), result);
+  return ProbeVisibility(asked, in.Points.Points.data(), normals, in.Points.Count(), MonitorOf(this), result, team);
 }
 
 int vtkConeSetProbe::RequestData(
@@ -276,7 +277,7 @@ int vtkConeSetProbe::RequestData(
   VisibilityResult result;
   try
   {
-    if (!this->Probe(in, result))
+    if (!this->Probe(in, run.GetTeamOn(0), result))
     {
       return 1; // aborted: the output stays empty
     }

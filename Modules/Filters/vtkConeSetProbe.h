@@ -70,6 +70,7 @@ class vtkFieldData;
 namespace shadowcones
 {
 class PreparedUser;
+class Team;
 struct VisibilityResult;
 }
 
@@ -219,7 +220,7 @@ private:
 
   bool ReadInputs(vtkInformationVector** inputVector, vtkFieldData* coneData, Inputs& in, std::string& error);
   /// @return false where aborted.
-  bool Probe(const Inputs& in, shadowcones::VisibilityResult& result);
+  bool Probe(const Inputs& in, shadowcones::Team* team, shadowcones::VisibilityResult& result);
   /// What is wrong with the parameters, or with what is connected, as a sentence; empty where nothing is.
   std::string CheckRequest(vtkDataObject* cones, bool hasLight, vtkDataObject* mesh) const;
   /// Which light is to arrive, and that there are normals where it needs them. @return false, with a sentence in @p error.

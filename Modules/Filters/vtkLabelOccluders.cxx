@@ -59,10 +59,11 @@ int vtkLabelOccluders::RequestInformation(
   return 1;
 }
 
-int vtkLabelOccluders::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkLabelOccluders::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // Labels and winding need the whole mesh.
-  RequestWholeInputs(this, inputVector);
+  RequestWholeInputs(this, request, inputVector, outputVector);
   return 1;
 }
 

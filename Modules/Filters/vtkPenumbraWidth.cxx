@@ -12,6 +12,7 @@
 #include "scProbePoints.h"
 #include "scSentence.h"
 #include "scShadowScene.h"
+#include "scTeam.h"
 #include "scWarnings.h"
 
 #include "vtkCellArray.h"
@@ -28,6 +29,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -140,6 +142,42 @@ private:
   std::vector<int> LightIds;
   std::vector<vtkIdType> InputIds;
 };
+
+/// @p measure fills in the edges of a range of lines: each process those of its share, then all have all. @return false where aborted.
+bool MeasureLines(Team* team, const Monitor& monitor, const std::function<void(vtkIdType, vtkIdType)>& measure,
+  std::vector<std::vector<PenumbraEdge>>& lines)
+{
+  const TeamShare share(team, static_cast<vtkIdType>(lines.size()));
+  std::vector<vtkIdType> counts(lines.size(), 0);
+  std::vector<PenumbraEdge> edges; // of this process, then of all
+  TeamJoin join(team);
+  join.AddItems(counts, share);
+  join.Add(edges);
+  const auto finish = [&]
+  {
+    for (vtkIdType k = 0; k < share.Own(); ++k)
+    {
+      const auto line = static_cast<std::size_t>(share.Item(k));
+      counts[line] = static_cast<vtkIdType>(lines[line].size());
+      edges.insert(edges.end(), lines[line].begin(), lines[line].end());
+    }
+  };
+  if (!TeamFor(team, join, share, monitor, measure, finish))
+  {
+    return false;
+  }
+  auto next = edges.begin();
+  for (int rank = 0; AreSeveral(team) && rank < team->GetSize(); ++rank)
+  {
+    for (vtkIdType k = 0; k < share.Of(rank); ++k)
+    {
+      const auto line = static_cast<std::size_t>(share.Item(k, rank));
+      lines[line].assign(next, next + counts[line]);
+      next += counts[line];
+    }
+  }
+  return true;
+}
 } // anonymous namespace
 
 struct vtkPenumbraWidth::Scene
@@ -180,9 +218,10 @@ int vtkPenumbraWidth::RequestInformation(
   return 1;
 }
 
-int vtkPenumbraWidth::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkPenumbraWidth::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  RequestWholeInputs(this, inputVector);
+  RequestWholeInputs(this, request, inputVector, outputVector);
   return 1;
 }
 
@@ -228,7 +267,7 @@ bool vtkPenumbraWidth::ReadInputs(vtkInformationVector** inputs, Scene& scene, s
   return true;
 }
 
-bool vtkPenumbraWidth::Measure(const Scene& scene, Results& results)
+bool vtkPenumbraWidth::Measure(const Scene& scene, Team* team, Results& results)
 {
   PenumbraWidthOptions options;
   options.Lower = this->Lower;
@@ -273,8 +312,11 @@ bool vtkPenumbraWidth::Measure(const Scene& scene, Results& results)
                                                     : rulers[k % count]->Look(point, nullptr);
     }
   };
-  return ParallelFor(static_cast<vtkIdType>(results.LineEdges.size()), monitor.Part(0.0, share), measureLines) &&
-    ParallelFor(static_cast<vtkIdType>(results.Places.size()), monitor.Part(share, 1.0), measurePoints);
+  const TeamShare places(team, static_cast<vtkIdType>(results.Places.size()), 16 * static_cast<vtkIdType>(count));
+  TeamJoin join(team);
+  join.AddItems(results.Places, places);
+  return MeasureLines(team, monitor.Part(0.0, share), measureLines, results.LineEdges) &&
+    TeamFor(team, join, places, monitor.Part(share, 1.0), measurePoints);
 }
 
 void vtkPenumbraWidth::Write(const Scene& scene, Results& results, vtkPolyData* places, vtkPolyData* widths) const
@@ -342,7 +384,7 @@ int vtkPenumbraWidth::RequestData(
   }
   try
   {
-    if (!this->Measure(scene, results))
+    if (!this->Measure(scene, run.GetTeam(), results))
     {
       return 1; // aborted: the outputs stay empty
     }

@@ -44,6 +44,11 @@
 
 #include <string>
 
+namespace shadowcones
+{
+class Team;
+}
+
 class SHADOWCONESFILTERS_EXPORT vtkPenumbraWidth : public vtkPolyDataAlgorithm
 {
 public:
@@ -124,7 +129,7 @@ private:
   struct Results; // what was found
   bool ReadInputs(vtkInformationVector** inputs, Scene& scene, std::string& error) const;
   /// @return false where aborted.
-  bool Measure(const Scene& scene, Results& results);
+  bool Measure(const Scene& scene, shadowcones::Team* team, Results& results);
   void Write(const Scene& scene, Results& results, vtkPolyData* places, vtkPolyData* widths) const;
 
   double Lower = 0.05;

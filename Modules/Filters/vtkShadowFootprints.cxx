@@ -66,9 +66,10 @@ int vtkShadowFootprints::RequestInformation(
   return 1;
 }
 
-int vtkShadowFootprints::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkShadowFootprints::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  RequestWholeInputs(this, inputVector);
+  RequestWholeInputs(this, request, inputVector, outputVector);
   return 1;
 }
 

@@ -89,9 +89,9 @@ int vtkShadowVectorFilter::RequestInformation(
 }
 
 int vtkShadowVectorFilter::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  RequestWholeInputs(this, inputVector);
+  RequestWholeInputs(this, request, inputVector, outputVector);
   return 1;
 }
 
@@ -159,6 +159,7 @@ int vtkShadowVectorFilter::RequestData(
   const PieceRequest piece = RequestedPiece(request, outputVector);
   options.Piece = piece.Piece;
   options.NumberOfPieces = piece.NumberOfPieces;
+  options.Workers = run.GetTeam();
   ShadowVectorResult result;
   try
   {

@@ -81,10 +81,11 @@ int vtkSunHours::RequestInformation(
   return 1;
 }
 
-int vtkSunHours::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkSunHours::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // The data set is asked for what is asked of the output; the rest is needed as a whole.
-  RequestWholeInputs(this, inputVector, 1);
+  RequestWholeInputs(this, request, inputVector, outputVector, 1);
   // The path is the same at every time: it is not to be made anew when the time changes.
   if (inputVector[pathPort]->GetNumberOfInformationObjects() > 0)
   {
@@ -134,7 +135,7 @@ bool vtkSunHours::ReadInputs(vtkInformationVector** inputVector, Inputs& in, std
   return true;
 }
 
-bool vtkSunHours::Compute(const Inputs& in, SunHoursResult& result)
+bool vtkSunHours::Compute(const Inputs& in, Team* team, SunHoursResult& result)
 {
   SunHoursOptions options;
   options.AngularRadius = in.Course.AngularRadius;
@@ -143,6 +144,7 @@ bool vtkSunHours::Compute(const Inputs& in, SunHoursResult& result)
   options.NumberOfLightSamples = this->NumberOfLightSamples;
   options.Seed = static_cast<std::uint64_t>(this->Seed);
   options.FindOccluders = this->ComputeOccluders;
+  options.Workers = team;
   const OccluderScene scene(in.Mesh.View());
   const double* normals = in.Points.Normals.empty() ? nullptr : in.Points.Normals.data();
   return ComputeSunHours(
@@ -162,7 +164,7 @@ int vtkSunHours::RequestData(
   SunHoursResult result;
   try
   {
-    if (!this->Compute(in, result))
+    if (!this->Compute(in, run.GetTeamOn(0), result))
     {
       return 1; // aborted: the output stays empty
     }

@@ -51,6 +51,7 @@
 
 namespace shadowcones
 {
+class Team;
 struct SunHoursResult;
 }
 
@@ -143,7 +144,7 @@ private:
   std::string CheckRequest(vtkDataObject* mesh, vtkDataObject* path) const;
   bool ReadInputs(vtkInformationVector** inputVector, Inputs& in, std::string& error) const;
   /// @return false where aborted.
-  bool Compute(const Inputs& in, shadowcones::SunHoursResult& result);
+  bool Compute(const Inputs& in, shadowcones::Team* team, shadowcones::SunHoursResult& result);
 
   vtkSunHours(const vtkSunHours&) = delete;
   void operator=(const vtkSunHours&) = delete;

@@ -13,6 +13,7 @@
 #include "scMediumData.h"
 #include "scParameterRanges.h"
 #include "scPreparedScene.h"
+#include "scRanks.h"
 #include "scSentence.h"
 #include "scToneMap.h"
 #include "scWarnings.h"
@@ -195,10 +196,11 @@ int vtkScatteringImageFilter::RequestInformation(
   return 1;
 }
 
-int vtkScatteringImageFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+int vtkScatteringImageFilter::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputVector)
 {
   // Any part of the image needs all of the scene.
-  RequestWholeInputs(this, inputs);
+  RequestWholeInputs(this, request, inputs, outputVector);
   return 1;
 }
 
@@ -347,6 +349,7 @@ bool vtkScatteringImageFilter::RenderMissing(
   for (const ScatteringImage& image : images)
   {
     this->NumberOfRaysSent += image.NumberOfOcclusionRays;
+    WorkOfThisProcess().Rays += image.NumberOfOcclusionRays;
   }
   this->Kept->Wavelengths = scene.Lights.Wavelengths;
   if (rendersPixels)

@@ -15,6 +15,7 @@
 #include "scParameterRanges.h"
 #include "scPreparedInputs.h"
 #include "scPreparedScene.h"
+#include "scRanks.h"
 #include "scSceneLights.h"
 #include "scSentence.h"
 #include "scVisibilityData.h"
@@ -116,9 +117,10 @@ int vtkVisibilityVolume::RequestInformation(
   return 1;
 }
 
-int vtkVisibilityVolume::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkVisibilityVolume::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  RequestWholeInputs(this, inputVector);
+  RequestWholeInputs(this, request, inputVector, outputVector);
   return 1;
 }
 
@@ -240,8 +242,9 @@ bool vtkVisibilityVolume::FindBounds(Scene& scene, std::string& error) const
   return true;
 }
 
-/// A grid for each light. @return false where aborted.
-bool vtkVisibilityVolume::FillGrids(const Scene& scene, const int extent[6], std::vector<VisibilityGrid>& grids)
+/// A grid for each light, by all of the team. @return false where aborted.
+bool vtkVisibilityVolume::FillGrids(
+  const Scene& scene, const int extent[6], Team* team, std::vector<VisibilityGrid>& grids)
 {
   VisibilityGridOptions options;
   options.Method = static_cast<VisibilityMethod>(this->Method);
@@ -251,6 +254,7 @@ bool vtkVisibilityVolume::FillGrids(const Scene& scene, const int extent[6], std
   options.BrickParts = this->BrickParts;
   options.RefinementThreshold = this->RefinementThreshold;
   options.Fluence = this->ComputeFluenceRate;
+  options.Workers = team;
   std::copy(extent, extent + 6, options.Extent.begin());
   const std::vector<Light>& lights = scene.Lights.Lights;
   const std::shared_ptr<const PreparedOccluders> occluders = PrepareOccluders(*this->Prepared, scene.Mesh);
@@ -302,7 +306,9 @@ int vtkVisibilityVolume::RequestData(
   std::vector<VisibilityGrid> grids;
   try
   {
-    if (!this->FillGrids(scene, extent, grids))
+    // Processes that ask for an extent each have their own share.
+    const bool isWhole = RequestedPiece(request, outputVector).NumberOfPieces == 1;
+    if (!this->FillGrids(scene, extent, isWhole ? run.GetTeam() : nullptr, grids))
     {
       return 1; // aborted: no output
     }
@@ -316,6 +322,7 @@ int vtkVisibilityVolume::RequestData(
   for (const VisibilityGrid& grid : grids)
   {
     rays += grid.NumberOfOcclusionRays;
+    WorkOfThisProcess().Rays += grid.NumberOfOwnRays;
   }
   WriteVisibilityGrids(grids, extent, output);
   WriteFluenceRate(grids, scene.Lights.Lights, extent, output);

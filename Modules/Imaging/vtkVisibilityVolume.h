@@ -70,6 +70,7 @@ class vtkFieldData;
 namespace shadowcones
 {
 class PreparedUser;
+class Team;
 struct VisibilityGrid;
 }
 
@@ -217,7 +218,8 @@ private:
   bool ReadInputs(vtkInformationVector** inputs, Scene& scene, std::string& error);
   void FindAutomaticBounds(vtkInformationVector** inputs);
   bool FindBounds(Scene& scene, std::string& error) const;
-  bool FillGrids(const Scene& scene, const int extent[6], std::vector<shadowcones::VisibilityGrid>& grids);
+  bool FillGrids(const Scene& scene, const int extent[6], shadowcones::Team* team,
+    std::vector<shadowcones::VisibilityGrid>& grids);
   void Warn(const std::vector<shadowcones::VisibilityGrid>& grids, vtkFieldData* coneField, const Scene& scene,
     vtkIdType points);
 

@@ -3,6 +3,8 @@
 #include "Cases.h"
 #include "Messages.h"
 
+#include "scTeam.h"
+
 #include "vtkDummyCommunicator.h"
 #include "vtkDummyController.h"
 #include "vtkImageData.h"
@@ -144,7 +146,7 @@ struct TimedSetting
   }
 };
 
-/// Two processes; the other one has the bytes of this one, but for the input at one port.
+/// Two processes; the other one has the bytes of this one, but for the input at one port, and stops where work is to be shared.
 class TwoProcesses : public vtkDummyCommunicator
 {
 public:
@@ -154,8 +156,22 @@ public:
   int UnlikePort = -1;
   int Comparisons = 0;
 
-  int AllGatherVoidArray(const void* own, void* all, vtkIdType length, int) override
+  int AllReduceVoidArray(const void* own, void* all, vtkIdType length, int, int) override
   {
+    std::memcpy(all, own, sizeof(int) * static_cast<std::size_t>(length));
+    return 1;
+  }
+  int AllGatherVoidArray(const void* own, void* all, vtkIdType length, int type) override
+  {
+    if (type == VTK_INT)
+    {
+      auto* states = static_cast<int*>(all);
+      states[0] = *static_cast<const int*>(own);
+      states[1] = states[0] == static_cast<int>(shadowcones::TeamState::Joining)
+        ? static_cast<int>(shadowcones::TeamState::Stopped)
+        : states[0];
+      return 1;
+    }
     ++this->Comparisons;
     auto* bytes = static_cast<unsigned char*>(all);
     std::memcpy(bytes, own, static_cast<std::size_t>(length));

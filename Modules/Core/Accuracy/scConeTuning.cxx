@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// One file because the search is read with the measures that it asks for.
 #include "scConeTuning.h"
 
 #include "scCone.h"
@@ -6,9 +7,11 @@
 #include "scConeTree.h"
 #include "scOccluderInterval.h"
 #include "scRandom.h"
+#include "scTeam.h"
 #include "scTuningData.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -413,15 +416,23 @@ std::vector<ConeSetOptions> Steps(const ConeSetOptions& options)
   return steps;
 }
 
+/// What measuring fills in of a result.
+std::array<double*, 5> FiguresOf(ConeTuningResult& result)
+{
+  return { &result.Objective, &result.Leak, &result.Lost, &result.Options.ExpansionFraction, &result.Options.RadiusScale };
+}
+
 /// Measures several parameter sets side by side: each is independent of the others, and many of its steps are in order.
 class SideBySide
 {
 public:
-  SideBySide(const Validation& validation, const std::vector<LightExtent>& lights, ConeTuning tuning, const Monitor& monitor)
+  SideBySide(const Validation& validation, const std::vector<LightExtent>& lights, ConeTuning tuning,
+    const Monitor& monitor, Team* workers)
     : TheValidation(validation)
     , Lights(lights)
     , Tuning(tuning)
     , TheMonitor(monitor)
+    , Workers(workers)
   {
   }
 
@@ -442,14 +453,29 @@ public:
     const Monitor inside{ nullptr, isAborted };
     Monitor part = this->TheMonitor.Part(from, to);
     part.Aborted = isAborted;
-    return ParallelFor(static_cast<vtkIdType>(results.size()), part,
-      [&](vtkIdType begin, vtkIdType end)
+    constexpr std::size_t count = std::tuple_size<decltype(FiguresOf(results.front()))>();
+    std::vector<double> figures(count * results.size());
+    const TeamShare share(this->Workers, static_cast<vtkIdType>(results.size()));
+    TeamJoin join(this->Workers);
+    join.AddItems(figures, share, count);
+    const auto measure = [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          Measure(this->TheValidation, this->Lights, this->Tuning, inside, results[static_cast<std::size_t>(i)]);
-        }
-      });
+        Measure(this->TheValidation, this->Lights, this->Tuning, inside, results[i]);
+        const auto of = FiguresOf(results[i]);
+        std::transform(of.begin(), of.end(), figures.begin() + count * i, [](const double* figure) { return *figure; });
+      }
+    };
+    if (!TeamFor(this->Workers, join, share, part, measure))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < figures.size(); ++i)
+    {
+      *FiguresOf(results[i / count])[i % count] = figures[i];
+    }
+    return true;
   }
 
 private:
@@ -457,6 +483,7 @@ private:
   const std::vector<LightExtent>& Lights;
   const ConeTuning Tuning;
   const Monitor& TheMonitor;
+  Team* const Workers;
 };
 
 /// Those that are valid, to be measured.
@@ -475,11 +502,9 @@ std::vector<ConeTuningResult> Candidates(const std::vector<ConeSetOptions>& sets
 }
 
 /// A recipe, samples of the ranges, then steps from the best. @param tried every parameter set measured, the recipe first.
-bool Search(const Validation& validation, const std::vector<LightExtent>& lights, ConeTuning tuning,
-  const ConeSetOptions& recipe, const Monitor& monitor, std::vector<ConeTuningResult>& tried)
+bool Search(SideBySide& measuring, ConeTuning tuning, const ConeSetOptions& recipe, std::vector<ConeTuningResult>& tried)
 {
   const double expected = 1.0 + NumberOfParameterSamples(tuning) + NumberOfRounds(tuning) * static_cast<double>(Steps(recipe).size());
-  SideBySide measuring(validation, lights, tuning, monitor);
   const auto attempt = [&](const std::vector<ConeSetOptions>& sets)
   {
     std::vector<ConeTuningResult> results = Candidates(sets);
@@ -540,7 +565,7 @@ bool MeasureTuning(const ShadowVectorView& vectors, const PhotonPathView& paths,
 }
 
 bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, const std::vector<LightExtent>& lights,
-  ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor, ConeTuningResult& result)
+  ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor, ConeTuningResult& result, Team* workers)
 {
   result = {};
   result.Options = options;
@@ -558,7 +583,9 @@ bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, c
     result.Options = BoundsOptions(options);
     return true;
   }
-  if (!Search(first, lights, tuning, Recipe(tuning, options), monitor.Part(0.0, part), tried))
+  const Monitor search = monitor.Part(0.0, part);
+  SideBySide measuring(first, lights, tuning, search, workers);
+  if (!Search(measuring, tuning, Recipe(tuning, options), tried))
   {
     return false;
   }
@@ -569,7 +596,7 @@ bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, c
     // More vectors make other cones of the same parameters: the recipe and the best few are measured again.
     const Validation validation(vectors, paths, lights.size(), tuning, manyVectors);
     tried.resize(std::min(tried.size(), 1 + numberOfFinalists));
-    if (!SideBySide(validation, lights, tuning, monitor).Run(tried, part, 1.0))
+    if (!SideBySide(validation, lights, tuning, monitor, workers).Run(tried, part, 1.0))
     {
       return false;
     }

@@ -11,6 +11,7 @@
 #include "scLightExtent.h"
 #include "scPhotonPathView.h"
 #include "scShadowVectorView.h"
+#include "scTeam.h"
 
 #include <string>
 
@@ -53,11 +54,12 @@ SHADOWCONESCORE_EXPORT ConeSetOptions BoundsOptions(const ConeSetOptions& option
  * set of parameters. @p options gives what is not searched (NumberOfSectors, PlanarityThreshold). @return false where
  * aborted. Where the held-out paths are all lit, or for Preview and Soft all blocked, the result is BoundsOptions and says so.
  * The options found are to be fitted with
- * the same paths: Preview trims bases by them.
+ * the same paths: Preview trims bases by them. @param workers processes that search together: each measures a share of the
+ * parameter sets, then all know all.
  */
 SHADOWCONESCORE_EXPORT bool TuneConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths,
   const std::vector<LightExtent>& lights, ConeTuning tuning, const ConeSetOptions& options, const Monitor& monitor,
-  ConeTuningResult& result);
+  ConeTuningResult& result, Team* workers = nullptr);
 
 /**
  * The measure that tuning minimises, for given options: what a comparison with other parameter sets needs. For Preview and

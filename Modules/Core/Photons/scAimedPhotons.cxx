@@ -204,12 +204,122 @@ private:
   bool IsPoor = false;
 };
 
-/// Run @p body for each bundle, in parallel. @return false where aborted.
-template <typename Body>
-bool ForEachBundle(std::vector<AimedBundle>& aimed, const Monitor& monitor, const Body& body)
+/// The bundles of this process: a range of all, so that what each process finds joins in order.
+struct OwnBundles
 {
-  return ParallelFor(static_cast<vtkIdType>(aimed.size()), monitor,
-    [&](vtkIdType first, vtkIdType last) { std::for_each(aimed.begin() + first, aimed.begin() + last, body); });
+  OwnBundles(const Team* team, std::vector<AimedBundle>& all)
+  {
+    const auto count = static_cast<vtkIdType>(all.size());
+    const int rank = team ? team->GetRank() : 0;
+    const int size = team ? team->GetSize() : 1;
+    this->First = all.data() + PieceBound(count, rank, size);
+    this->Last = all.data() + PieceBound(count, rank + 1, size);
+  }
+
+  /// Run @p body for each, in parallel. @return false where aborted.
+  template <typename Body>
+  bool ForEach(const Monitor& monitor, const Body& body) const
+  {
+    return ParallelFor(this->Last - this->First, monitor,
+      [&](vtkIdType first, vtkIdType last) { std::for_each(this->First + first, this->First + last, body); });
+  }
+
+  AimedBundle* First;
+  AimedBundle* Last;
+};
+
+/// What bundles of a process have, to be sent to the others.
+struct BundleArrays
+{
+  std::vector<vtkIdType> Photons;
+  std::vector<vtkIdType> Vectors;
+  std::vector<vtkIdType> Items; ///< that were found: of vectors, paths and shadow photons
+  std::vector<double> SolidAngles;
+  ShadowVectorResult Found;
+
+  void Add(TeamJoin& join)
+  {
+    join.Add(this->Photons);
+    join.Add(this->Vectors);
+    join.Add(this->Items);
+    join.Add(this->SolidAngles);
+    AddPhotons(join, this->Found);
+  }
+  void Pack(const AimedBundle& bundle, bool withFound)
+  {
+    this->Photons.push_back(bundle.Photons);
+    this->Vectors.insert(this->Vectors.end(), bundle.Vectors.begin(), bundle.Vectors.end());
+    if (withFound)
+    {
+      const ShadowVectorResult& found = bundle.Found;
+      for (const auto* indices : { &found.Vectors.PhotonIndices, &found.Paths.PhotonIndices, &found.Photons.PhotonIndices })
+      {
+        this->Items.push_back(static_cast<vtkIdType>(indices->size()));
+      }
+      this->SolidAngles.push_back(found.MeanSolidAngle);
+      Append(this->Found, found);
+    }
+  }
+  void Unpack(std::vector<AimedBundle>& aimed) const
+  {
+    std::size_t vector = 0;
+    vtkIdType begin[numberOfPhotonItems] = { 0, 0, 0 };
+    for (std::size_t i = 0; i < aimed.size(); ++i)
+    {
+      aimed[i].Photons = this->Photons[i];
+      for (vtkIdType& vectors : aimed[i].Vectors)
+      {
+        vectors = this->Vectors[vector++];
+      }
+      if (!this->Items.empty())
+      {
+        const vtkIdType* items = this->Items.data() + numberOfPhotonItems * i;
+        aimed[i].Found = {};
+        aimed[i].Found.MeanSolidAngle = this->SolidAngles[i];
+        ForEachArray(aimed[i].Found, this->Found,
+          [&](int item, int components, auto& to, const auto& from)
+          {
+            const auto first = from.begin() + begin[item] * components;
+            to.assign(first, first + items[item] * components);
+          });
+        for (int item = 0; item < numberOfPhotonItems; ++item)
+        {
+          begin[item] += items[item];
+        }
+      }
+    }
+  }
+};
+
+/// Run @p body for each bundle, each process its own. Then all have all, with what was found or without. @return false where aborted.
+template <typename Body>
+bool ForEachBundle(
+  std::vector<AimedBundle>& aimed, Team* team, bool withFound, const Monitor& monitor, const Body& body)
+{
+  const OwnBundles own(team, aimed);
+  const bool several = AreSeveral(team);
+  BundleArrays arrays;
+  TeamJoin join(team);
+  arrays.Add(join);
+  const auto work = [&]
+  {
+    const bool done = own.ForEach(monitor, body);
+    for (const AimedBundle* bundle = own.First; several && bundle != own.Last; ++bundle)
+    {
+      team->Count(bundle->Photons);
+      arrays.Pack(*bundle, withFound);
+    }
+    return done;
+  };
+  if (!join.Run(work))
+  {
+    return false;
+  }
+  if (several)
+  {
+    arrays.Unpack(aimed);
+  }
+  return true;
 }
 
 /// A bundle for each box around scarce occluders.
@@ -277,7 +387,7 @@ bool TraceAimedPhotons(const PhotonTracing& tracing, const TriangleMeshView& mes
       bundle.Trace(tracing, first, std::min(batch, bundle.MostPhotons - bundle.Photons));
     }
   };
-  if (!ForEachBundle(aimed, monitor.Part(0.1, 0.4),
+  if (!ForEachBundle(aimed, tracing.Workers, false, monitor.Part(0.1, 0.4),
         [&](AimedBundle& bundle) { traceUntil(bundle, otherPhotons, (goal.Vectors + 1) / 2); }))
   {
     return false;
@@ -301,7 +411,7 @@ bool TraceAimedPhotons(const PhotonTracing& tracing, const TriangleMeshView& mes
       traceUntil(bundle, 0, goal.Vectors);
     }
   };
-  if (!ForEachBundle(aimed, monitor.Part(0.4, 1.0), trace))
+  if (!ForEachBundle(aimed, tracing.Workers, true, monitor.Part(0.4, 1.0), trace))
   {
     return false;
   }

@@ -9,70 +9,76 @@ namespace shadowcones
 namespace
 {
 constexpr vtkIdType photonsPerTask = 1024;
-
-template <typename T>
-void Append(std::vector<T>& values, const std::vector<T>& more)
-{
-  values.insert(values.end(), more.begin(), more.end());
-}
 } // anonymous namespace
 
 void Append(ShadowVectorResult& result, const ShadowVectorResult& more)
 {
-  Append(result.Vectors.Points, more.Vectors.Points);
-  Append(result.Vectors.Directions, more.Vectors.Directions);
-  Append(result.Vectors.Normals, more.Vectors.Normals);
-  Append(result.Vectors.OccluderIds, more.Vectors.OccluderIds);
-  Append(result.Vectors.EmissionPoints, more.Vectors.EmissionPoints);
-  Append(result.Vectors.PathLengths, more.Vectors.PathLengths);
-  Append(result.Vectors.Thicknesses, more.Vectors.Thicknesses);
-  Append(result.Vectors.PhotonIndices, more.Vectors.PhotonIndices);
-  Append(result.Vectors.LightIds, more.Vectors.LightIds);
-  Append(result.Paths.Points, more.Paths.Points);
-  Append(result.Paths.States, more.Paths.States);
-  Append(result.Paths.OccluderIds, more.Paths.OccluderIds);
-  Append(result.Paths.EmissionPoints, more.Paths.EmissionPoints);
-  Append(result.Paths.Directions, more.Paths.Directions);
-  Append(result.Paths.Powers, more.Paths.Powers);
-  Append(result.Paths.PhotonIndices, more.Paths.PhotonIndices);
-  Append(result.Paths.LightIds, more.Paths.LightIds);
-  Append(result.Photons.Points, more.Photons.Points);
-  Append(result.Photons.Normals, more.Photons.Normals);
-  Append(result.Photons.Directions, more.Photons.Directions);
-  Append(result.Photons.Powers, more.Photons.Powers);
-  Append(result.Photons.OccluderIds, more.Photons.OccluderIds);
-  Append(result.Photons.ReceiverIds, more.Photons.ReceiverIds);
-  Append(result.Photons.PhotonIndices, more.Photons.PhotonIndices);
-  Append(result.Photons.LightIds, more.Photons.LightIds);
+  ForEachArray(result, more,
+    [](int, int, auto& values, const auto& added) { values.insert(values.end(), added.begin(), added.end()); });
   result.MeanSolidAngle += more.MeanSolidAngle;
+}
+
+void AddPhotons(TeamJoin& join, ShadowVectorResult& result)
+{
+  ForEachArray(result, result, [&join](int, int, auto& values, auto&) { join.Add(values); });
 }
 
 bool PhotonTracing::TraceRange(vtkIdType begin, vtkIdType end, const Monitor& monitor, ShadowVectorResult& result) const
 {
   const vtkIdType tasks = (std::max(end - begin, vtkIdType(0)) + photonsPerTask - 1) / photonsPerTask;
-  std::vector<ShadowVectorResult> parts(static_cast<std::size_t>(tasks));
-  const bool finished = ParallelFor(tasks, monitor,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType task = first; task < last; ++task)
-      {
-        const vtkIdType taskBegin = begin + task * photonsPerTask;
-        const vtkIdType taskEnd = std::min(end, taskBegin + photonsPerTask);
-        for (vtkIdType photon = taskBegin; photon < taskEnd; ++photon)
-        {
-          this->Trace(this->Bundles.At(photon), photon, parts[task]);
-        }
-      }
-    });
-  if (finished)
+  // Processes have a range of tasks each, so that what they find joins in order; sums are taken task by task.
+  const int rank = this->Workers ? this->Workers->GetRank() : 0;
+  const int size = this->Workers ? this->Workers->GetSize() : 1;
+  const vtkIdType firstTask = PieceBound(tasks, rank, size);
+  const vtkIdType ownTasks = PieceBound(tasks, rank + 1, size) - firstTask;
+  ShadowVectorResult found;
+  std::vector<double> solidAngles;
+  TeamJoin join(this->Workers);
+  AddPhotons(join, found);
+  join.Add(solidAngles);
+  const auto traceOwn = [&]
   {
-    for (ShadowVectorResult& part : parts)
+    std::vector<ShadowVectorResult> parts(static_cast<std::size_t>(ownTasks));
+    const bool finished = ParallelFor(ownTasks, monitor,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType task = first; task < last; ++task)
+        {
+          const vtkIdType taskBegin = begin + (firstTask + task) * photonsPerTask;
+          const vtkIdType taskEnd = std::min(end, taskBegin + photonsPerTask);
+          for (vtkIdType photon = taskBegin; photon < taskEnd; ++photon)
+          {
+            this->Trace(this->Bundles.At(photon), photon, parts[static_cast<std::size_t>(task)]);
+          }
+        }
+      });
+    ShadowVectorResult& to = AreSeveral(this->Workers) ? found : result;
+    for (std::size_t task = 0; finished && task < parts.size(); ++task)
     {
-      Append(result, part);
-      part = {};
+      solidAngles.push_back(parts[task].MeanSolidAngle);
+      parts[task].MeanSolidAngle = 0.0;
+      Append(to, parts[task]);
+      parts[task] = {};
     }
+    return finished;
+  };
+  if (AreSeveral(this->Workers))
+  {
+    this->Workers->Count(std::min(end, begin + (firstTask + ownTasks) * photonsPerTask) - begin - firstTask * photonsPerTask);
   }
-  return finished;
+  if (!join.Run(traceOwn))
+  {
+    return false;
+  }
+  if (AreSeveral(this->Workers))
+  {
+    Append(result, found);
+  }
+  for (const double solidAngle : solidAngles)
+  {
+    result.MeanSolidAngle += solidAngle;
+  }
+  return true;
 }
 
 } // namespace shadowcones

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace shadowcones
 {
@@ -77,43 +78,11 @@ void KeepPhotons(ShadowVectorResult& result, vtkIdType first, vtkIdType last)
       static_cast<std::size_t>(std::lower_bound(indices.begin(), indices.end(), first) - indices.begin()),
       static_cast<std::size_t>(std::lower_bound(indices.begin(), indices.end(), last) - indices.begin()));
   };
-  {
-    ShadowVectors& v = result.Vectors;
-    const auto [begin, end] = range(v.PhotonIndices);
-    KeepRange(v.Points, 3, begin, end);
-    KeepRange(v.Directions, 3, begin, end);
-    KeepRange(v.Normals, 3, begin, end);
-    KeepRange(v.OccluderIds, 1, begin, end);
-    KeepRange(v.EmissionPoints, 3, begin, end);
-    KeepRange(v.PathLengths, 1, begin, end);
-    KeepRange(v.Thicknesses, 1, begin, end);
-    KeepRange(v.PhotonIndices, 1, begin, end);
-    KeepRange(v.LightIds, 1, begin, end);
-  }
-  {
-    PhotonPaths& p = result.Paths;
-    const auto [begin, end] = range(p.PhotonIndices);
-    KeepRange(p.Points, 3, begin, end);
-    KeepRange(p.States, 1, begin, end);
-    KeepRange(p.OccluderIds, 1, begin, end);
-    KeepRange(p.EmissionPoints, 3, begin, end);
-    KeepRange(p.Directions, 3, begin, end);
-    KeepRange(p.Powers, 1, begin, end);
-    KeepRange(p.PhotonIndices, 1, begin, end);
-    KeepRange(p.LightIds, 1, begin, end);
-  }
-  {
-    ShadowPhotons& p = result.Photons;
-    const auto [begin, end] = range(p.PhotonIndices);
-    KeepRange(p.Points, 3, begin, end);
-    KeepRange(p.Normals, 3, begin, end);
-    KeepRange(p.Directions, 3, begin, end);
-    KeepRange(p.Powers, 1, begin, end);
-    KeepRange(p.OccluderIds, 1, begin, end);
-    KeepRange(p.ReceiverIds, 1, begin, end);
-    KeepRange(p.PhotonIndices, 1, begin, end);
-    KeepRange(p.LightIds, 1, begin, end);
-  }
+  const std::pair<std::size_t, std::size_t> ranges[numberOfPhotonItems] = { range(result.Vectors.PhotonIndices),
+    range(result.Paths.PhotonIndices), range(result.Photons.PhotonIndices) };
+  ForEachArray(result, result,
+    [&ranges](int item, int components, auto& values, auto&)
+    { KeepRange(values, static_cast<std::size_t>(components), ranges[item].first, ranges[item].second); });
 }
 } // anonymous namespace
 
@@ -129,7 +98,7 @@ bool TraceShadowVectors(const OccluderScene& scene, const std::vector<Light>& li
   result = {};
   const PhotonTracer tracer(scene, lights, options.Storage);
   PhotonBundles bundles(lights, scene.Mesh(), options.Seed);
-  const PhotonTracing tracing{ tracer, bundles };
+  const PhotonTracing tracing{ tracer, bundles, options.Workers };
   const double aiming = options.MinimumVectorsPerOccluder > 0 ? 0.3 : 0.0; // of the progress
   vtkIdType ofOthers = 0;
   if (options.MinimumVectorsPerOccluder > 0 &&
@@ -160,7 +129,13 @@ bool TraceShadowVectors(const OccluderScene& scene, const std::vector<Light>& li
   {
     const vtkIdType begin = std::max(bound(options.Piece), aimed);
     const vtkIdType end = std::max(bound(options.Piece + 1), aimed);
-    if (!tracing.TraceRange(begin, end, monitor, result))
+    const PhotonTracing alone{ tracer, bundles };
+    const bool isWhole = options.NumberOfPieces == 1;
+    if (!isWhole && AreSeveral(options.Workers))
+    {
+      options.Workers->Count(end - begin);
+    }
+    if (!(isWhole ? tracing : alone).TraceRange(begin, end, monitor, result))
     {
       return false;
     }

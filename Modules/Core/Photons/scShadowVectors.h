@@ -10,6 +10,7 @@
 #include "scLight.h"
 #include "scOccluderScene.h"
 #include "scParallel.h"
+#include "scTeam.h"
 
 #include <cstdint>
 #include <vector>
@@ -37,6 +38,11 @@ struct ShadowVectorOptions
   std::uint64_t Seed = 1;
   int Piece = 0; ///< this piece traces photons [N piece / pieces, N (piece + 1) / pieces)
   int NumberOfPieces = 1;
+  /**
+   * Processes that do this together, each its share; the result is that of one alone. Where each wants its own piece they
+   * share what every piece has to know: the aimed photons, and how many photons meet the target.
+   */
+  Team* Workers = nullptr;
 };
 
 /// Structure of arrays; three values a vector where named so.

@@ -16,6 +16,8 @@ namespace shadowcones
 {
 namespace
 {
+constexpr vtkIdType pointsPerBlock = 64; // dealt out to processes: near ones take about as long
+
 
 /// Place of a direction along a Hilbert curve over the sphere: neighbours along it are neighbours on the sphere.
 std::uint32_t HilbertPlace(const Vector3& direction)
@@ -428,7 +430,14 @@ bool ComputeSunHours(const OccluderScene& scene, const std::vector<SunStep>& ste
   }
   result.OccluderIds.assign(options.FindOccluders ? size : 0, -1);
   const SunHoursWorker worker(scene, steps, options);
-  return ParallelFor(count, monitor,
+  const TeamShare share(options.Workers, count, pointsPerBlock);
+  TeamJoin join(options.Workers);
+  for (std::vector<float>* values : { &result.Hours, &result.First, &result.Last, &result.Longest, &result.Errors })
+  {
+    join.AddItems(*values, share);
+  }
+  join.AddItems(result.OccluderIds, share);
+  return TeamFor(options.Workers, join, share, monitor,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)

@@ -9,6 +9,7 @@
 #include "ShadowConesCoreModule.h"
 #include "scOccluderScene.h"
 #include "scParallel.h"
+#include "scTeam.h"
 #include "scVector3.h"
 
 #include <cstdint>
@@ -34,6 +35,7 @@ struct SunHoursOptions
   int NumberOfLightSamples = 64; ///< of the disc, a step, at least 1
   std::uint64_t Seed = 1;
   bool FindOccluders = false; ///< takes about as long again
+  Team* Workers = nullptr;    ///< processes that ask at the same points: each at a share of them, then all have all
 };
 
 /// One value a point.

@@ -12,6 +12,7 @@
 #include "scLight.h"
 #include "scOccluderScene.h"
 #include "scParallel.h"
+#include "scTeam.h"
 #include "scVector3.h"
 #include "scVisibilityProbe.h"
 
@@ -40,7 +41,8 @@ struct VisibilityGrid
   std::vector<float> BrickVisibility;  ///< (BrickParts + 1)^3 values a brick, i fastest, its cell's corners among them
   std::vector<float> Fluence;          ///< at vertices that are wanted, see ArrivingLight; empty: not asked for
   std::vector<float> FluenceErrors;
-  vtkIdType NumberOfOcclusionRays = 0; ///< sent to fill it; 0 where not known
+  vtkIdType NumberOfOcclusionRays = 0; ///< sent to fill it, by all processes; 0 where not known
+  vtkIdType NumberOfOwnRays = 0;       ///< of these, by this process
 
   Vector3 Vertex(int i, int j, int k) const
   {
@@ -78,6 +80,7 @@ struct VisibilityGridOptions
   /// Vertices that are wanted, first and last along each axis, and the bricks of cells among them; last < first: all.
   /// What is wanted does not depend on what else is.
   std::array<int, 6> Extent{ 0, -1, 0, -1, 0, -1 };
+  Team* Workers = nullptr; ///< processes that fill the same grid together: each asks a share of the points, then all have it
 };
 
 /// nullptr, or what is wrong with the options.

@@ -5,7 +5,6 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <atomic>
 
 namespace shadowcones
 {
@@ -166,25 +165,27 @@ bool VisibilityGridFiller::AskInside(const std::vector<BrickPart>& parts, int st
   vtkSMPTools::Sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   std::vector<float> values(points.size(), 1.0f);
-  std::atomic<vtkIdType> sent{ 0 };
-  const bool done = ParallelFor(static_cast<vtkIdType>(points.size()), monitor,
-    [&](vtkIdType begin, vtkIdType end)
+  const TeamShare share(this->Options.Workers, static_cast<vtkIdType>(points.size()), pointsPerBlock);
+  TeamJoin join(this->Options.Workers);
+  join.AddItems(values, share);
+  const auto ask = [&](vtkIdType begin, vtkIdType end)
+  {
+    vtkIdType rays = 0;
+    VisibilitySampler::Answer answer;
+    for (vtkIdType p = begin; p < end; ++p)
     {
-      vtkIdType rays = 0;
-      VisibilitySampler::Answer answer;
-      for (vtkIdType p = begin; p < end; ++p)
+      const vtkIdType point = points[static_cast<std::size_t>(p)];
+      const Vector3 place{ grid.Spacing.X * (static_cast<double>(point % nx) / side),
+        grid.Spacing.Y * (static_cast<double>(point / nx % ny) / side),
+        grid.Spacing.Z * (static_cast<double>(point / nx / ny) / side) };
+      if (this->Asked.Ask(grid.Origin + place, answer, rays))
       {
-        const vtkIdType point = points[static_cast<std::size_t>(p)];
-        const Vector3 place{ grid.Spacing.X * (static_cast<double>(point % nx) / side),
-          grid.Spacing.Y * (static_cast<double>(point / nx % ny) / side),
-          grid.Spacing.Z * (static_cast<double>(point / nx / ny) / side) };
-        if (this->Asked.Ask(grid.Origin + place, answer, rays))
-        {
-          values[static_cast<std::size_t>(p)] = answer.Fraction;
-        }
+        values[static_cast<std::size_t>(p)] = answer.Fraction;
       }
-      sent += rays;
-    });
+    }
+    return rays;
+  };
+  const bool done = this->AskShare(share, join, monitor, ask);
   const auto valueOf = [&](vtkIdType point)
   { return values[static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), point) - points.begin())]; };
   ForEachBrick(bricks,
@@ -195,7 +196,6 @@ bool VisibilityGridFiller::AskInside(const std::vector<BrickPart>& parts, int st
         this->ForEachInside(parts[p], step, smaller, [&](vtkIdType point, float& value) { value = valueOf(point); });
       }
     });
-  this->Grid.NumberOfOcclusionRays += sent;
   return done;
 }
 

@@ -5,8 +5,6 @@
 #include "scSurfelVisibility.h"
 #include "scWholeLight.h"
 
-#include <atomic>
-
 namespace shadowcones
 {
 namespace
@@ -22,6 +20,16 @@ Cone WidePenumbraOf(const Cone& disc, const Light& light, const LightExtent& ext
   }
   return penumbra;
 }
+
+/// What is known of a vertex.
+struct VertexAnswer
+{
+  float Visibility = 1.0f;
+  float Fluence = 0.0f;
+  float FluenceError = 0.0f;
+  unsigned char ShadowClass = 0;
+  unsigned char Marked = 0;
+};
 } // anonymous namespace
 
 VisibilityGridFiller::VisibilityGridFiller(const std::vector<Cone>& cones, const Light& light, const OccluderScene* scene,
@@ -156,31 +164,46 @@ bool VisibilityGridFiller::FillVertices(const Monitor& monitor)
   {
     return false;
   }
-  std::atomic<vtkIdType> sent{ 0 };
-  const bool done = ParallelFor(static_cast<vtkIdType>(wanted.size()), monitor.Part(0.05, 1.0),
-    [&](vtkIdType begin, vtkIdType end)
+  const TeamShare share(this->Options.Workers, static_cast<vtkIdType>(wanted.size()), pointsPerBlock);
+  std::vector<VertexAnswer> answers(wanted.size());
+  TeamJoin join(this->Options.Workers);
+  join.AddItems(answers, share);
+  const auto ask = [&](vtkIdType begin, vtkIdType end)
+  {
+    vtkIdType rays = 0;
+    for (vtkIdType w = begin; w < end; ++w)
     {
-      vtkIdType rays = 0;
-      for (vtkIdType w = begin; w < end; ++w)
-      {
-        const auto id = static_cast<std::size_t>(wanted[static_cast<std::size_t>(w)]);
-        const auto i = static_cast<int>(id % nx);
-        const auto j = static_cast<int>(id / nx % ny);
-        const auto k = static_cast<int>(id / nx / ny);
-        VisibilitySampler::Answer answer;
-        grid.Marked[id] = this->Asked.Ask(grid.Vertex(i, j, k), answer, rays) ? 1 : 0;
-        grid.Visibility[id] = answer.Fraction;
-        grid.ShadowClasses[id] = static_cast<unsigned char>(answer.Class);
-        if (!grid.Fluence.empty() && grid.Marked[id])
-        {
-          grid.Fluence[id] = static_cast<float>(answer.Fluence.Factor);
-          grid.FluenceErrors[id] = static_cast<float>(answer.Fluence.Error);
-        }
-      }
-      sent += rays;
-    });
-  grid.NumberOfOcclusionRays += sent;
-  return done;
+      const auto id = static_cast<std::size_t>(wanted[static_cast<std::size_t>(w)]);
+      const auto i = static_cast<int>(id % nx);
+      const auto j = static_cast<int>(id / nx % ny);
+      const auto k = static_cast<int>(id / nx / ny);
+      VisibilitySampler::Answer answer;
+      VertexAnswer& to = answers[static_cast<std::size_t>(w)];
+      to.Marked = this->Asked.Ask(grid.Vertex(i, j, k), answer, rays) ? 1 : 0;
+      to.Visibility = answer.Fraction;
+      to.ShadowClass = static_cast<unsigned char>(answer.Class);
+      to.Fluence = static_cast<float>(answer.Fluence.Factor);
+      to.FluenceError = static_cast<float>(answer.Fluence.Error);
+    }
+    return rays;
+  };
+  if (!this->AskShare(share, join, monitor.Part(0.05, 1.0), ask))
+  {
+    return false;
+  }
+  for (std::size_t w = 0; w < wanted.size(); ++w)
+  {
+    const auto id = static_cast<std::size_t>(wanted[w]);
+    grid.Marked[id] = answers[w].Marked;
+    grid.Visibility[id] = answers[w].Visibility;
+    grid.ShadowClasses[id] = answers[w].ShadowClass;
+    if (!grid.Fluence.empty() && grid.Marked[id])
+    {
+      grid.Fluence[id] = answers[w].Fluence;
+      grid.FluenceErrors[id] = answers[w].FluenceError;
+    }
+  }
+  return true;
 }
 
 } // namespace shadowcones

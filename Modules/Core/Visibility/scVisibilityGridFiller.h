@@ -9,12 +9,14 @@
 #include "scCone.h"
 #include "scLight.h"
 #include "scParallel.h"
+#include "scTeam.h"
 #include "scTrilinear.h"
 #include "scVisibilityGrid.h"
 #include "scVisibilitySampler.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -84,6 +86,8 @@ bool CollectRows(vtkIdType count, const Monitor& monitor, const Collector& colle
   return forEachRow(monitor.Part(0.5, 1.0), writeRow);
 }
 
+constexpr vtkIdType pointsPerBlock = 64; // dealt out to processes: near ones take about as long
+
 /// The steps of FillVisibilityGrid.
 class VisibilityGridFiller
 {
@@ -101,6 +105,8 @@ private:
   bool Mark(const Box& bounds, const Monitor& monitor);
   bool FillWholeFluence(const Monitor& monitor);
   bool FillVertices(const Monitor& monitor);
+  template <typename Asker>
+  bool AskShare(const TeamShare& share, TeamJoin& join, const Monitor& monitor, const Asker& ask);
   bool FillBricks(const Monitor& monitor);
   bool FindBricks(const Monitor& monitor, std::vector<BrickPart>& parts);
   bool NeedsBrick(int i, int j, int k) const;
@@ -131,6 +137,21 @@ private:
   std::array<int, 3> First{};
   std::array<int, 3> Last{};
 };
+
+/// ask(begin, end), which returns the rays it sent, for this process's share; then all have all answers, and the sum of the rays.
+template <typename Asker>
+bool VisibilityGridFiller::AskShare(
+  const TeamShare& share, TeamJoin& join, const Monitor& monitor, const Asker& ask)
+{
+  std::atomic<vtkIdType> sent{ 0 };
+  std::vector<vtkIdType> rays; // of each process
+  join.Add(rays);
+  const auto body = [&](vtkIdType begin, vtkIdType end) { sent += ask(begin, end); };
+  const bool done = TeamFor(this->Options.Workers, join, share, monitor, body, [&] { rays.assign(1, sent); });
+  this->Grid.NumberOfOcclusionRays = std::accumulate(rays.begin(), rays.end(), this->Grid.NumberOfOcclusionRays);
+  this->Grid.NumberOfOwnRays += sent;
+  return done;
+}
 
 } // namespace shadowcones
 

@@ -416,10 +416,21 @@ void Put(const PointVisibility& visibility, bool hasNormal, std::size_t at, Visi
 } // anonymous namespace
 
 bool ProbeVisibility(const std::vector<const VisibilityProbe*>& probes, const double* points, const double* normals,
-  vtkIdType count, const Monitor& monitor, VisibilityResult& result)
+  vtkIdType count, const Monitor& monitor, VisibilityResult& result, Team* workers)
 {
   Resize(probes, static_cast<std::size_t>(count) * probes.size(), result);
-  return ParallelFor(count, monitor,
+  constexpr vtkIdType pointsPerBlock = 64; // dealt out to processes: near ones take about as long
+  const TeamShare share(workers, count, pointsPerBlock);
+  const auto components = static_cast<vtkIdType>(probes.size());
+  TeamJoin join(workers);
+  join.AddItems(result.ShadowClasses, share, components);
+  join.AddItems(result.OccluderIds, share, components);
+  for (std::vector<float>* values : { &result.Visibility, &result.Errors, &result.Irradiance, &result.IrradianceErrors,
+         &result.Fluence, &result.FluenceErrors })
+  {
+    join.AddItems(*values, share, components);
+  }
+  return TeamFor(workers, join, share, monitor,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)

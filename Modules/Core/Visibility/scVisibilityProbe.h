@@ -13,6 +13,7 @@
 #include "scOccluderScene.h"
 #include "scParallel.h"
 #include "scShadowClass.h"
+#include "scTeam.h"
 
 #include <cstdint>
 #include <memory>
@@ -117,11 +118,11 @@ struct VisibilityResult
 
 /**
  * Ask the probes, one a light, at @p count points (3 values each) with normals (3 values each, any length; 0: no
- * normal) or nullptr.
+ * normal) or nullptr. @param workers processes that ask at the same points: each at a share of them, then all have all.
  * @return false where aborted.
  */
 SHADOWCONESCORE_EXPORT bool ProbeVisibility(const std::vector<const VisibilityProbe*>& probes, const double* points,
-  const double* normals, vtkIdType count, const Monitor& monitor, VisibilityResult& result);
+  const double* normals, vtkIdType count, const Monitor& monitor, VisibilityResult& result, Team* workers = nullptr);
 /// The same for one light.
 SHADOWCONESCORE_EXPORT bool ProbeVisibility(const VisibilityProbe& probe, const double* points, const double* normals,
   vtkIdType count, const Monitor& monitor, VisibilityResult& result);
