@@ -220,4 +220,5 @@ def main():
         draw(options.picture, single, link)
 
 
-main()
+if __name__ == "__main__":
+    main()
