@@ -15,8 +15,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <exception>
 #include <cstring>
+#include <exception>
 #include <limits>
 #include <set>
 #include <vector>

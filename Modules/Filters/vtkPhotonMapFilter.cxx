@@ -124,9 +124,10 @@ int vtkPhotonMapFilter::RequestInformation(
   return 1;
 }
 
-int vtkPhotonMapFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkPhotonMapFilter::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  RequestWholeInputs(this, inputVector);
+  RequestWholeInputs(this, request, inputVector, outputVector);
   return 1;
 }
 

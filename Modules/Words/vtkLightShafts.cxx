@@ -225,9 +225,10 @@ int vtkLightShafts::RequestInformation(
   return 1;
 }
 
-int vtkLightShafts::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkLightShafts::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  RequestWholeInputs(this, inputVector);
+  RequestWholeInputs(this, request, inputVector, outputVector);
   return 1;
 }
 
