@@ -128,9 +128,9 @@ public:
   ///@{
   /// Scattering coefficient of the medium, 1 / world unit. SetSigmaS() sets every wavelength; SetSigmaSSpectrum() then sets the
   /// sample with an index from 0, or the first ones, the others keep SigmaS. Default: 0.1. Valid: 0 and above.
+  void SetSigmaS(double sigmaS);
   vtkGetMacro(SigmaS, double);                         ///< SigmaS of wavelengths that have none of their own.
   double GetSigmaSSpectrum(int index);                 ///< SigmaS of one wavelength sample.
-  void SetSigmaS(double sigmaS);                       ///< SigmaS of every wavelength.
   void SetSigmaSSpectrum(vtkDataArray* coefficients);  ///< SigmaS of the first samples, in place of all that were set.
   void SetSigmaSSpectrum(int index, double sigmaS);    ///< SigmaS of one wavelength sample, index from 0.
   void ClearSigmaSSpectrum();                          ///< Every sample is SigmaS again.
@@ -138,9 +138,9 @@ public:
 
   ///@{
   /// Absorption coefficient of the medium, 1 / world unit, set as SigmaS is. Default: 0. Valid: 0 and above.
+  void SetSigmaA(double sigmaA);
   vtkGetMacro(SigmaA, double);                         ///< SigmaA of wavelengths that have none of their own.
   double GetSigmaASpectrum(int index);                 ///< SigmaA of one wavelength sample.
-  void SetSigmaA(double sigmaA);                       ///< SigmaA of every wavelength.
   void SetSigmaASpectrum(vtkDataArray* coefficients);  ///< SigmaA of the first samples, in place of all that were set.
   void SetSigmaASpectrum(int index, double sigmaA);    ///< SigmaA of one wavelength sample, index from 0.
   void ClearSigmaASpectrum();                          ///< Every sample is SigmaA again.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace shadowcones
@@ -158,11 +159,15 @@ std::unique_ptr<const LightLegs> ChooseLightLegs(const LitQuadrature& quadrature
   const double pixels = static_cast<double>(options.Width) * options.Height;
   const double sigmaT = LargestSigmaT(quadrature.Groups);
   std::vector<Look> looks;
+  double tried = 0.0;
   for (const double cells : cellsOfTables)
   {
+    const double share = 1.0 / static_cast<double>(std::size(cellsOfTables));
+    const Monitor part = monitor.Part(share * tried, share * (tried + 1.0));
+    tried += 1.0;
     auto table = std::make_unique<LightLegs>(quadrature.Lamp, quadrature.Air, cells);
     const std::int64_t places = table->NumberOfPlaces();
-    if (places > mostPlaces || static_cast<double>(places) > placesOfPixel * pixels || !table->Fill(monitor))
+    if (places > mostPlaces || static_cast<double>(places) > placesOfPixel * pixels || !table->Fill(part))
     {
       return nullptr;
     }
