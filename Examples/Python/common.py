@@ -214,6 +214,27 @@ def cone_set(vectors):
     return cones
 
 
+def tuned_cones(occluders, light, number, tuning):
+    """Cones that tune themselves, of so many shadow vectors where the light hits."""
+    vectors = shadow_vectors(occluders, light, number)
+    vectors.SetStorageToHitPoint()
+    cones = sc.vtkConeSetFilter()
+    cones.SetInputConnection(vectors.GetOutputPort(0))
+    cones.SetPhotonPathConnection(vectors.GetOutputPort(1))
+    getattr(cones, "SetTuningTo" + tuning)()
+    return cones
+
+
+def visibility_volume(occluders, light, cones):
+    """The visible share of the light in the fog."""
+    volume = sc.vtkVisibilityVolume()
+    volume.SetInputConnection(cones.GetOutputPort())
+    volume.SetLightConnection(light.GetOutputPort())
+    volume.SetMeshConnection(occluders.GetOutputPort())
+    volume.SetBounds(*scenes.MEDIUM_BOUNDS)
+    return volume
+
+
 def light_shafts(room, light, cones, mode, size):
     """The paper's fog in the room, as its open front shows it. `mode` is one of the six of the image; cones may be None."""
     image = sc.vtkScatteringImageFilter()
@@ -374,16 +395,16 @@ def category_table(colors):
     table = vtkLookupTable()
     table.SetNumberOfTableValues(len(colors))
     for k, color in enumerate(colors):
-        table.SetTableValue(k, *color, 1.0)
+        table.SetTableValue(k, *color)
     table.SetTableRange(-0.5, len(colors) - 0.5)
     table.SetBelowRangeColor(0.93, 0.93, 0.91, 1.0)
     table.UseBelowRangeColorOn()
     return table
 
 
-def paint(renderer, source, name, table, component=0, cells=False, line_width=1.0):
+def paint(renderer, source, name, table, component=0, cells=False, line_width=1.0, ambient=1.0, opacity=1.0):
     """Show a data set, or the output of a filter, coloured by a point array, or by a cell array."""
-    actor = add_actor(renderer, source, GREY, ambient=1.0, line_width=line_width)
+    actor = add_actor(renderer, source, GREY, opacity, line_width, ambient)
     mapper = actor.GetMapper()
     mapper.ScalarVisibilityOn()
     mapper.SetColorModeToMapScalars()

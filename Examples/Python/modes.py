@@ -7,7 +7,6 @@ import os
 import common
 import numpy as np
 import scenes
-import shadowcones as sc
 
 MODES = ("Guided", "Volume", "Soft", "BruteForce", "Medium", "Fast")
 # Cones that hold the shadow, cones as dark as the shadow, and discs that stand for the mesh. BruteForce takes none.
@@ -16,27 +15,6 @@ TUNING = {"Guided": "Conservative", "Volume": "Conservative", "Medium": "Conserv
 VECTORS = {"Conservative": 1, "Preview": 1, "Soft": 8}
 TOO_DARK = np.array((33.0, 72.0, 180.0))
 TOO_BRIGHT = np.array((190.0, 20.0, 30.0))
-
-
-def tuned_cones(room, light, tuning, number):
-    """Cones that tune themselves, of vectors where the light hits."""
-    vectors = common.shadow_vectors(room, light, number)
-    vectors.SetStorageToHitPoint()
-    cones = sc.vtkConeSetFilter()
-    cones.SetInputConnection(vectors.GetOutputPort(0))
-    cones.SetPhotonPathConnection(vectors.GetOutputPort(1))
-    getattr(cones, "SetTuningTo" + tuning)()
-    return cones
-
-
-def visibility_volume(room, light, cones):
-    """The visible share of the light in the fog."""
-    volume = sc.vtkVisibilityVolume()
-    volume.SetInputConnection(cones.GetOutputPort())
-    volume.SetLightConnection(light.GetOutputPort())
-    volume.SetMeshConnection(room.GetOutputPort())
-    volume.SetBounds(*scenes.MEDIUM_BOUNDS)
-    return volume
 
 
 def medium_term(image):
@@ -76,11 +54,11 @@ def main():
     for model in ("chair", "tree"):
         occluders = scenes.label(scenes.read(os.path.join(arguments.data, model + ".vtp")))
         room = scenes.put_in_room(occluders, arguments.data)
-        cones = {tuning: tuned_cones(room, light, tuning, factor * arguments.vectors)
+        cones = {tuning: common.tuned_cones(room, light, factor * arguments.vectors, tuning)
                  for tuning, factor in VECTORS.items()}
         for tuning, cone_set in cones.items():
             print(f"{model}, {tuning}: {common.summary(cone_set)}", flush=True)
-        volume = visibility_volume(room, light, cones["Conservative"])
+        volume = common.visibility_volume(room, light, cones["Conservative"])
         volume.Update()
         truth = converged(room, light, arguments.size, arguments.goal)
 

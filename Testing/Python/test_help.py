@@ -9,7 +9,7 @@ import unittest
 
 FOLDER, LISTS = sys.argv[1:3]
 # Imported by the others.
-SHARED = {"common.py", "scenes.py"}
+SHARED = {"common.py", "cone_sets.py", "drawing.py", "scenes.py"}
 
 
 def examples():
