@@ -40,7 +40,12 @@ case "${1:-}" in
     ;;
 esac
 
-install_packages build paraview
+# ParaView 5.11 of Debian 12 is made with Qt 5, ParaView 5.13 of Debian 13 with Qt 6.
+. /etc/os-release
+case "${VERSION_ID:-}" in
+  1[3-9]) install_packages build paraview paraview-13 ;;
+  *) install_packages build paraview paraview-12 ;;
+esac
 # What was configured before is used again.
 config=$(sed -n 's/^ParaView_DIR:PATH=//p' "$build/CMakeCache.txt" 2>/dev/null || true)
 prefix=${PARAVIEW_PREFIX:-${config%/usr/lib/*}}
@@ -64,6 +69,10 @@ if [ -z "$prefix" ] || [ ! -d "$prefix/usr/lib" ]; then
     printf 'ParaView: %s s\n' "$(($(date +%s) - start))"
   fi
 fi
+# Debian 13 has its Python modules under longer names than those that its own CMake files look for.
+find "$prefix/usr/lib/python3/dist-packages" -name '*.cpython-*.so' 2>/dev/null | while read -r module; do
+  ln -sf "${module##*/}" "${module%%.cpython-*}.so"
+done
 config=$(find "$prefix/usr/lib" -name paraview-config.cmake | head -n 1)
 [ -n "$config" ] || fail "there is no paraview-config.cmake below $prefix/usr/lib"
 build_project -DSHADOWCONES_BUILD_PARAVIEW_PLUGIN=ON -DSHADOWCONES_BUILD_TESTING=ON -DParaView_DIR="${config%/*}"
