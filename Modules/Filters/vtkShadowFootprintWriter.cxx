@@ -12,7 +12,12 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+// Headers of later VTKs rename VTK's own copy of the library for all that come after them: then that one it is.
+#ifdef VTK_NLOHMANN_JSON
+#include VTK_NLOHMANN_JSON(json.hpp)
+#else
 #include <nlohmann/json.hpp>
+#endif
 
 #include <algorithm>
 #include <cmath>
