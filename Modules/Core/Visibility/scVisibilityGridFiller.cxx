@@ -165,7 +165,19 @@ bool VisibilityGridFiller::FillVertices(const Monitor& monitor)
     return false;
   }
   const TeamShare share(this->Options.Workers, static_cast<vtkIdType>(wanted.size()), pointsPerBlock);
-  std::vector<VertexAnswer> answers(wanted.size());
+  const auto write = [&grid](std::size_t id, const VertexAnswer& answer)
+  {
+    grid.Marked[id] = answer.Marked;
+    grid.Visibility[id] = answer.Visibility;
+    grid.ShadowClasses[id] = answer.ShadowClass;
+    if (!grid.Fluence.empty() && answer.Marked)
+    {
+      grid.Fluence[id] = answer.Fluence;
+      grid.FluenceErrors[id] = answer.FluenceError;
+    }
+  };
+  // Answers are held apart only where others have to get them: they take more than the grid itself.
+  std::vector<VertexAnswer> answers(AreSeveral(this->Options.Workers) ? wanted.size() : 0);
   TeamJoin join(this->Options.Workers);
   join.AddItems(answers, share);
   const auto ask = [&](vtkIdType begin, vtkIdType end)
@@ -178,12 +190,20 @@ bool VisibilityGridFiller::FillVertices(const Monitor& monitor)
       const auto j = static_cast<int>(id / nx % ny);
       const auto k = static_cast<int>(id / nx / ny);
       VisibilitySampler::Answer answer;
-      VertexAnswer& to = answers[static_cast<std::size_t>(w)];
+      VertexAnswer to;
       to.Marked = this->Asked.Ask(grid.Vertex(i, j, k), answer, rays) ? 1 : 0;
       to.Visibility = answer.Fraction;
       to.ShadowClass = static_cast<unsigned char>(answer.Class);
       to.Fluence = static_cast<float>(answer.Fluence.Factor);
       to.FluenceError = static_cast<float>(answer.Fluence.Error);
+      if (answers.empty())
+      {
+        write(id, to);
+      }
+      else
+      {
+        answers[static_cast<std::size_t>(w)] = to;
+      }
     }
     return rays;
   };
@@ -191,17 +211,9 @@ bool VisibilityGridFiller::FillVertices(const Monitor& monitor)
   {
     return false;
   }
-  for (std::size_t w = 0; w < wanted.size(); ++w)
+  for (std::size_t w = 0; w < answers.size(); ++w)
   {
-    const auto id = static_cast<std::size_t>(wanted[w]);
-    grid.Marked[id] = answers[w].Marked;
-    grid.Visibility[id] = answers[w].Visibility;
-    grid.ShadowClasses[id] = answers[w].ShadowClass;
-    if (!grid.Fluence.empty() && grid.Marked[id])
-    {
-      grid.Fluence[id] = answers[w].Fluence;
-      grid.FluenceErrors[id] = answers[w].FluenceError;
-    }
+    write(static_cast<std::size_t>(wanted[w]), answers[w]);
   }
   return true;
 }
