@@ -214,15 +214,20 @@ def cone_set(vectors):
     return cones
 
 
-def tuned_cones(occluders, light, number, tuning):
-    """Cones that tune themselves, of so many shadow vectors where the light hits."""
-    vectors = shadow_vectors(occluders, light, number)
-    vectors.SetStorageToHitPoint()
+def cones_tuned(vectors, tuning):
+    """Cones of shadow vectors that tune themselves."""
     cones = sc.vtkConeSetFilter()
     cones.SetInputConnection(vectors.GetOutputPort(0))
     cones.SetPhotonPathConnection(vectors.GetOutputPort(1))
     getattr(cones, "SetTuningTo" + tuning)()
     return cones
+
+
+def tuned_cones(occluders, light, number, tuning):
+    """Cones that tune themselves, of so many shadow vectors where the light hits."""
+    vectors = shadow_vectors(occluders, light, number)
+    vectors.SetStorageToHitPoint()
+    return cones_tuned(vectors, tuning)
 
 
 def visibility_volume(occluders, light, cones):

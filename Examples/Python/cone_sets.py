@@ -20,12 +20,9 @@ def bounds(vectors):
 
 def proved(vectors, occluders, light, tuning="Automatic"):
     """Cones that hold all of the shadow; the tuning says how they are found."""
-    cones = sc.vtkConeSetFilter()
-    cones.SetInputConnection(vectors.GetOutputPort(0))
-    cones.SetPhotonPathConnection(vectors.GetOutputPort(1))
+    cones = common.cones_tuned(vectors, tuning)
     cones.SetMeshConnection(occluders.GetOutputPort())
     cones.SetLightConnection(light.GetOutputPort())
-    getattr(cones, "SetTuningTo" + tuning)()
     cones.Update()
     return cones
 

@@ -9,21 +9,15 @@ import os
 
 import common
 import numpy as np
+import scenes
 import shadowcones as sc
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkThreshold
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
 COLORS = {"post": common.DARK_BLUE, "ball": common.ORANGE, "frame": common.TEAL}
-
-
-def box(*bounds):
-    cube = vtkCubeSource()
-    cube.SetBounds(*bounds)
-    cube.Update()
-    return cube.GetOutput()
 
 
 def things():
@@ -36,10 +30,10 @@ def things():
     ball.Update()
     frame = vtkAppendPolyData()
     for bar in ((0.5, 1.9, 0.5, 0.7), (0.5, 1.9, 1.5, 1.7), (0.5, 0.7, 0.7, 1.5), (1.7, 1.9, 0.7, 1.5)):
-        frame.AddInputData(box(*bar, 1.0, 1.05))
+        frame.AddInputData(scenes.box(*bar, 1.0, 1.05))
     frame.Update()
     blocks = vtkMultiBlockDataSet()
-    for k, (name, mesh) in enumerate({"post": box(-1.6, -1.2, 0.2, 0.6, 0.0, 1.6), "ball": ball.GetOutput(),
+    for k, (name, mesh) in enumerate({"post": scenes.box(-1.6, -1.2, 0.2, 0.6, 0.0, 1.6), "ball": ball.GetOutput(),
                                       "frame": frame.GetOutput()}.items()):
         blocks.SetBlock(k, mesh)
         blocks.GetMetaData(k).Set(blocks.NAME(), name)

@@ -8,19 +8,10 @@ import common
 import numpy as np
 import scenes
 import shadowcones as sc
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 HIGHEST = 1.2  # of the map, W m^-2
-
-
-def sphere(place, radius):
-    ball = vtkSphereSource()
-    ball.SetCenter(*place)
-    ball.SetRadius(radius)
-    ball.SetThetaResolution(64)
-    ball.SetPhiResolution(32)
-    return ball
 
 
 def main():
@@ -31,7 +22,7 @@ def main():
     arguments = common.parse(options)
     screen = vtkCubeSource()
     screen.SetBounds(1.6, 1.68, 0, 1.5, -1.2, 1.0)
-    things = {"chair": scenes.read(os.path.join(arguments.data, "chair.vtp")), "ball": sphere((-2.2, 0.5, 0.8), 0.5), "screen": screen}
+    things = {"chair": scenes.read(os.path.join(arguments.data, "chair.vtp")), "ball": scenes.ball((-2.2, 0.5, 0.8), 0.5, 64), "screen": screen}
     floor = vtkPlaneSource()
     floor.SetOrigin(-4.5, 0, 3)
     floor.SetPoint1(4.5, 0, 3)
@@ -47,7 +38,7 @@ def main():
         common.paint(renderer, answered, "Irradiance", table)
         for thing in things.values():
             common.add_actor(renderer, thing, common.GREY, ambient=0.3)
-        common.add_actor(renderer, sphere(lamp, 0.2), common.ORANGE, ambient=1.0)
+        common.add_actor(renderer, scenes.ball(lamp, 0.2, 64), common.ORANGE, ambient=1.0)
         camera = common.camera_at((0.0, 6.4, 9.6), (0.0, 0.85, 0.1), 33.0, (0, 1, 0))
         strip = common.legend(table, "Irradiance on the floor, W per square metre", size, 7, "{:.1f}", " and more")
         frames.append(common.stack(common.render(renderer, camera, size, size * 27 // 50), strip))

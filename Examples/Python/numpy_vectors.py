@@ -11,13 +11,14 @@ import os
 
 import common
 import numpy as np
+import scenes
 import shadowcones as sc
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 LIGHT_CENTER = np.array([0.0, 4.0, 0.0])  # faces down
@@ -193,11 +194,7 @@ def shapes():
         slat.SetPoint2(low, SLAT_HEIGHT, SLAT_HALF_LENGTH)
         scene.AddInputConnection(slat.GetOutputPort())
     for center, radius in BALLS:
-        ball = vtkSphereSource()
-        ball.SetCenter(center)
-        ball.SetRadius(radius)
-        ball.SetThetaResolution(48)
-        ball.SetPhiResolution(24)
+        ball = scenes.ball(center, radius, 48)
         scene.AddInputConnection(ball.GetOutputPort())
     return scene
 

@@ -18,17 +18,6 @@ from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
 
-def cones_for(occluders, light, vectors, tuning):
-    """A cone set that tunes itself: Conservative for bounds, Soft for discs."""
-    source = common.shadow_vectors(occluders, light, vectors)
-    source.SetStorageToHitPoint()
-    cones = sc.vtkConeSetFilter()
-    cones.SetInputConnection(source.GetOutputPort(0))
-    cones.SetPhotonPathConnection(source.GetOutputPort(1))
-    getattr(cones, "SetTuningTo" + tuning)()
-    return cones
-
-
 def probe_of(data, cones, light, mesh=None):
     """A probe of a data set: Exact with a mesh, Soft without."""
     probe = sc.vtkConeSetProbe()
@@ -112,8 +101,8 @@ def grid_picture(arguments, light):
     """The tree's shadow in tetrahedra, by rays and by discs."""
     tree = scenes.label(scenes.read(os.path.join(arguments.data, "tree.vtp")))
     grid = tetrahedra(arguments.grid)
-    exact = probe_of(grid, cones_for(tree, light, arguments.vectors, "Conservative"), light, tree)
-    soft = probe_of(grid, cones_for(tree, light, arguments.vectors, "Soft"), light)
+    exact = probe_of(grid, common.tuned_cones(tree, light, arguments.vectors, "Conservative"), light, tree)
+    soft = probe_of(grid, common.tuned_cones(tree, light, arguments.vectors, "Soft"), light)
     report("grid, Exact", exact)
     report("grid, Soft", soft)
     error = common.array(soft.GetOutput().GetPointData(), "Visibility") - common.array(
@@ -129,7 +118,7 @@ def surface_picture(arguments, light):
     """The chair's shadow on the walls and on the chair."""
     chair = scenes.label(scenes.read(os.path.join(arguments.data, "chair.vtp")))
     chair.Update()
-    bounds = cones_for(chair, light, arguments.vectors, "Conservative")
+    bounds = common.tuned_cones(chair, light, arguments.vectors, "Conservative")
     room = scenes.read(os.path.join(arguments.data, "cornell-box.vtp"))
     walls = probe_of(fine_surface(room, 7), bounds, light, chair)
     itself = probe_of(fine_surface(chair.GetOutput(), 4), bounds, light, chair)

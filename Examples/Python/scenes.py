@@ -83,6 +83,16 @@ def write_png(image, path):
     writer.Write()
 
 
+def ball(place, radius, fine):
+    """A sphere; `fine` is the number of its meridians; half as many circles."""
+    sphere = vtkSphereSource()
+    sphere.SetCenter(*place)
+    sphere.SetRadius(radius)
+    sphere.SetThetaResolution(fine)
+    sphere.SetPhiResolution(fine // 2)
+    return sphere
+
+
 def house():
     """A box of ten by ten, twenty high."""
     cube = vtkCubeSource()
