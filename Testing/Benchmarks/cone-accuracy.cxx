@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How well cones bound the shadow: one line for each scene, number of vectors and set of parameters. The quantities are
 // those of vtkConeSetAccuracy, by samples drawn evenly in the room.
+#include "ProgramOptions.h"
 #include "SampledRoom.h"
 
 #include "scCone.h"
 #include "scConeHierarchy.h"
 #include "scOccluderInterval.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -58,7 +57,7 @@ void Sweep(std::vector<ConeParameters>& sets, const std::vector<Value>& values, 
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("How well do cones bound the shadow? Options that take several values are swept over all combinations.");
+  ProgramOptions commandLine("How well do cones bound the shadow? Options that take several values are swept over all combinations.");
   std::vector<std::string> scenes = { "chair", "tree", "blob", "bunny" };
   std::vector<std::string> meshes;
   std::vector<std::string> names = { "paper", "bounds" };
@@ -72,28 +71,30 @@ int main(int argc, char* argv[])
   const std::map<std::string, int> storages = { { "BackSide", 0 }, { "HitPoint", 1 } };
   const std::map<std::string, int> expansions = { { "MaximumDeviation", 0 }, { "RadiusRatio", 1 },
     { "LightGeometry", 2 } };
-  app.add_option("--scene", scenes, "chair, tree, blob, and bunny where Debian's glmark2-data is installed");
-  app.add_option("--mesh", meshes, "mesh files to use as well, scaled to a height of 3 on the floor");
-  app.add_option("--set", names, "starting values: paper, bounds, conservative, preview, soft");
-  app.add_option("--vectors", vectors, "shadow vectors asked for");
-  app.add_option("--storage", storage, "BackSide, HitPoint")->transform(CLI::CheckedTransformer(storages));
-  app.add_option("--p1", p1, "neighbours");
-  app.add_option("--p2", p2, "sectors");
-  app.add_option("--p3", p3, "points in a ring");
-  app.add_option("--p4", p4, "fewest vectors of a cone");
-  app.add_option("--threshold", variance, "largest variance over mean of a ring");
-  app.add_option("--planarity", planarity, "largest distance from the plane over the radius; 0: no test");
-  app.add_option("--expansion", expansion, "MaximumDeviation, RadiusRatio, LightGeometry")
-    ->transform(CLI::CheckedTransformer(expansions));
-  app.add_option("--fraction", fraction, "expansion fraction");
-  app.add_option("--cosine", cosine, "0, 1: cosine correction of the base radius");
-  app.add_option("--overlap", overlap, "0, 1: cones may overlap");
-  app.add_option("--seed", seeds, "seed of the photons");
-  app.add_option("--points", points, "sample points in the room")->check(CLI::PositiveNumber);
-  app.add_option("--light-points", lightPoints, "light points for each of them")->check(CLI::PositiveNumber);
-  app.add_option("--truth-seed", truthSeed, "seed of the sample points");
-  app.add_option("--csv", csv, "write the table to this file as well");
-  CLI11_PARSE(app, argc, argv);
+  commandLine.Add("--scene", scenes, "chair, tree, blob, and bunny where Debian's glmark2-data is installed");
+  commandLine.Add("--mesh", meshes, "mesh files to use as well, scaled to a height of 3 on the floor");
+  commandLine.Add("--set", names, "starting values: paper, bounds, conservative, preview, soft");
+  commandLine.Add("--vectors", vectors, "shadow vectors asked for");
+  commandLine.AddNamed("--storage", storage, "BackSide, HitPoint", storages);
+  commandLine.Add("--p1", p1, "neighbours");
+  commandLine.Add("--p2", p2, "sectors");
+  commandLine.Add("--p3", p3, "points in a ring");
+  commandLine.Add("--p4", p4, "fewest vectors of a cone");
+  commandLine.Add("--threshold", variance, "largest variance over mean of a ring");
+  commandLine.Add("--planarity", planarity, "largest distance from the plane over the radius; 0: no test");
+  commandLine.AddNamed("--expansion", expansion, "MaximumDeviation, RadiusRatio, LightGeometry", expansions);
+  commandLine.Add("--fraction", fraction, "expansion fraction");
+  commandLine.Add("--cosine", cosine, "0, 1: cosine correction of the base radius");
+  commandLine.Add("--overlap", overlap, "0, 1: cones may overlap");
+  commandLine.Add("--seed", seeds, "seed of the photons");
+  commandLine.AddPositive("--points", points, "sample points in the room");
+  commandLine.AddPositive("--light-points", lightPoints, "light points for each of them");
+  commandLine.Add("--truth-seed", truthSeed, "seed of the sample points");
+  commandLine.Add("--csv", csv, "write the table to this file as well");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   const std::string bunny = "/usr/share/glmark2/models/bunny.obj";
   const bool hasBunny = std::ifstream(bunny).good();
   scenes.erase(

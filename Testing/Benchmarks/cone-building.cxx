@@ -5,8 +5,7 @@
 // far, so rows must grow.
 #include "BenchmarkScene.h"
 #include "Chain.h"
-
-#include <CLI/CLI.hpp>
+#include "ProgramOptions.h"
 
 #include <sys/resource.h>
 
@@ -31,11 +30,14 @@ int main(int argc, char** argv)
   std::string name = "chair";
   std::vector<vtkIdType> numbers{ 10000, 100000, 1000000 };
   bool overlap = true;
-  CLI::App app{ "What tracing vectors and fitting cones cost" };
-  app.add_option("--scene", name, "chair, tree, blob or a mesh file")->capture_default_str();
-  app.add_option("--vectors", numbers, "shadow vectors, ascending; 10000000 takes some 8 GB")->capture_default_str();
-  app.add_option("--overlap", overlap, "bounds (1) or the paper's disjoint cones (0)")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  ProgramOptions commandLine("What tracing vectors and fitting cones cost");
+  commandLine.Add("--scene", name, "chair, tree, blob or a mesh file");
+  commandLine.Add("--vectors", numbers, "shadow vectors, ascending; 10000000 takes some 8 GB");
+  commandLine.Add("--overlap", overlap, "bounds (1) or the paper's disjoint cones (0)");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   try
   {
     const BenchmarkScene scene(name);

@@ -5,6 +5,7 @@
 // that the error is of the shadow alone: root of the mean square over pixels, over the mean of the truth. The truth's
 // blocked part is estimated with occlusion rays at random places and light points of its own; its noise is known and
 // taken off. --reference holds the truth against the independent renderer of Testing/Reference.
+#include "ProgramOptions.h"
 #include "ReferencePixels.h"
 
 #include "scCone.h"
@@ -16,8 +17,6 @@
 
 #include "scFrame.h"
 #include "vtkSMPTools.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -425,26 +424,26 @@ private:
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("How wrong the image is where cones are the shadow itself.");
+  ProgramOptions commandLine("How wrong the image is where cones are the shadow itself.");
   Setting setting;
   std::vector<std::string> scenes = { "chair", "tree", "blob" };
   std::vector<std::string> meshes;
-  app.add_option("--scene", scenes, "chair, tree, blob, or a mesh file")->capture_default_str();
-  app.add_option("--mesh", meshes, "mesh files beside the scenes");
-  app.add_option("--shadow", setting.Shadows, "rows to make")->check(CLI::IsMember({ "preview", "soft", "exact" }));
-  app.add_option("--size", setting.Size, "width and height in pixels")->check(CLI::PositiveNumber);
-  app.add_option("--pixels", setting.Pixels, "pixels that are compared with the truth")->check(CLI::PositiveNumber);
-  app.add_option("--samples", setting.SamplesPerCell, "occlusion rays of the truth, in units of 4,096 a pixel")
-    ->check(CLI::PositiveNumber);
-  app.add_option("--grid", setting.Sides, "vertices along a side of the grid, one or more")->check(CLI::Range(2, 513));
-  app.add_option("--parts", setting.Parts, "parts into which sides of refined cells are cut; 1: no such rows")
-    ->check(CLI::PositiveNumber);
-  app.add_option("--light-samples", setting.LightSamples, "light points a vertex")->check(CLI::PositiveNumber);
-  app.add_flag("--without-grid", setting.WithoutGrid, "also ask for the visible fraction along the rays themselves");
-  app.add_option(
-    "--reference", setting.ReferenceSamples, "samples a pixel of Testing/Reference to hold the truth against");
-  app.add_option("--cache", setting.Folder, "folder that keeps the reference from one run to the next");
-  CLI11_PARSE(app, argc, argv);
+  commandLine.Add("--scene", scenes, "chair, tree, blob, or a mesh file");
+  commandLine.Add("--mesh", meshes, "mesh files beside the scenes");
+  commandLine.AddChoice("--shadow", setting.Shadows, "rows to make", { "preview", "soft", "exact" });
+  commandLine.AddPositive("--size", setting.Size, "width and height in pixels");
+  commandLine.AddPositive("--pixels", setting.Pixels, "pixels that are compared with the truth");
+  commandLine.AddPositive("--samples", setting.SamplesPerCell, "occlusion rays of the truth, in units of 4,096 a pixel");
+  commandLine.AddWithin("--grid", setting.Sides, "vertices along a side of the grid, one or more", 2, 513);
+  commandLine.AddPositive("--parts", setting.Parts, "parts into which sides of refined cells are cut; 1: no such rows");
+  commandLine.AddPositive("--light-samples", setting.LightSamples, "light points a vertex");
+  commandLine.AddFlag("--without-grid", setting.WithoutGrid, "also ask for the visible fraction along the rays themselves");
+  commandLine.Add("--reference", setting.ReferenceSamples, "samples a pixel of Testing/Reference to hold the truth against");
+  commandLine.Add("--cache", setting.Folder, "folder that keeps the reference from one run to the next");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   scenes.insert(scenes.end(), meshes.begin(), meshes.end());
 
   try

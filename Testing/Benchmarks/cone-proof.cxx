@@ -2,12 +2,11 @@
 // What proving a cone set costs: a line for the fitted cones, for the same after the proof, and for cones around parts of the
 // occluders alone. Recall and the share of the cones' volume in shadow are by samples drawn evenly in the room.
 #include "ConeAdversary.h"
+#include "ProgramOptions.h"
 #include "SampledRoom.h"
 
 #include "scConeProof.h"
 #include "scConeProofCheck.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -71,13 +70,16 @@ int main(int argc, char** argv)
   vtkIdType vectors = 5800;
   int points = 50000;
   long long tries = 0;
-  CLI::App app{ "What proving a cone set costs" };
-  app.add_option("--scene", scenes, "chair, tree, blob, or mesh files, which are scaled to a height of 3")->capture_default_str();
-  app.add_option("--set", set, "paper, bounds, conservative")->capture_default_str();
-  app.add_option("--vectors", vectors, "shadow vectors asked for")->capture_default_str();
-  app.add_option("--points", points, "sample points in the room")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--tries", tries, "search so often for a point in shadow and outside every cone")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  ProgramOptions commandLine("What proving a cone set costs");
+  commandLine.Add("--scene", scenes, "chair, tree, blob, or mesh files, which are scaled to a height of 3");
+  commandLine.Add("--set", set, "paper, bounds, conservative");
+  commandLine.Add("--vectors", vectors, "shadow vectors asked for");
+  commandLine.AddPositive("--points", points, "sample points in the room");
+  commandLine.Add("--tries", tries, "search so often for a point in shadow and outside every cone");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   try
   {
     std::printf("%-12s %9s %-10s %6s %6s %6s %8s %8s %8s %8s %7s %8s %6s\n", "scene", "triangles", "set", "cones", "grown",

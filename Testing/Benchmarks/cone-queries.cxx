@@ -4,6 +4,7 @@
 // n cones stand on a 4 x 4 square under a disc light, base radius 2.4 / sqrt(n): the density of a fitted, overlapping set. Rays
 // cross the room as a camera's do; points are uniform in it. Every row is the median of several runs in one process; the
 // exponents are slopes of log(time) over log(n) between neighbouring rows.
+#include "ProgramOptions.h"
 #include "Room.h"
 #include "scCone.h"
 #include "scConeHierarchy.h"
@@ -12,8 +13,6 @@
 #include "scLightExtent.h"
 #include "scOccluderInterval.h"
 #include "scRandom.h"
-
-#include <CLI/CLI.hpp>
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -200,11 +199,14 @@ int main(int argc, char** argv)
   std::vector<int> numbers{ 100, 1000, 10000, 100000 };
   int queries = 4000;
   int runs = 5;
-  CLI::App app{ "What a query of the cone hierarchy costs, beside a linear scan and beside Embree user geometry" };
-  app.add_option("--cones", numbers, "numbers of cones")->capture_default_str();
-  app.add_option("--queries", queries, "rays and points")->capture_default_str();
-  app.add_option("--runs", runs, "runs of which the median is printed")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  ProgramOptions commandLine("What a query of the cone hierarchy costs, beside a linear scan and beside Embree user geometry");
+  commandLine.Add("--cones", numbers, "numbers of cones");
+  commandLine.Add("--queries", queries, "rays and points");
+  commandLine.Add("--runs", runs, "runs of which the median is printed");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
 
   const Box room = testsupport::RoomBounds();
   const std::vector<Ray> rays = MakeRays(queries);

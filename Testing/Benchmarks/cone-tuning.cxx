@@ -4,12 +4,11 @@
 //   objective   what the kind of tuning minimises, on the photons held out (scConeTuning.h)
 //   best, median of the random sets' objectives, and the choice over the best
 #include "BenchmarkScene.h"
+#include "ProgramOptions.h"
 
 #include "scConeTuning.h"
 #include "scRandom.h"
 #include "scVectorData.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -38,12 +37,15 @@ int main(int argc, char** argv)
   std::vector<vtkIdType> numbers{ 5800 };
   int sets = 64;
   int seed = 1;
-  CLI::App app{ "What tuning chooses, beside random sets of parameters" };
-  app.add_option("--scenes", scenes, "chair, tree, blob or mesh files")->capture_default_str();
-  app.add_option("--vectors", numbers, "shadow vectors")->capture_default_str();
-  app.add_option("--sets", sets, "random sets of parameters")->capture_default_str();
-  app.add_option("--seed", seed, "of the photons")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  ProgramOptions commandLine("What tuning chooses, beside random sets of parameters");
+  commandLine.Add("--scenes", scenes, "chair, tree, blob or mesh files");
+  commandLine.Add("--vectors", numbers, "shadow vectors");
+  commandLine.Add("--sets", sets, "random sets of parameters");
+  commandLine.Add("--seed", seed, "of the photons");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
 
   try
   {

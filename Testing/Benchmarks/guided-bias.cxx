@@ -2,6 +2,7 @@
 // Has Guided with proved cones any bias? A line for each scene: the mean difference of the medium term from the slow reference,
 // over its pixels and several seeds, in standard errors of that mean. Where there is none, 19 of 20 scenes lie within 2, and
 // the mean over all scenes is near 0.
+#include "ProgramOptions.h"
 #include "ProofScenes.h"
 #include "ReferencePixels.h"
 
@@ -15,8 +16,6 @@
 #include "scScatteringScene.h"
 
 #include "vtkObject.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <cstdio>
@@ -169,14 +168,17 @@ int main(int argc, char** argv)
 {
   Setting setting;
   std::vector<std::string> scenes;
-  CLI::App app{ "The bias of Guided with proved cones, in standard errors" };
-  app.add_option("--scene", scenes, "some of the scenes of proof-table; all of them where none is named");
-  app.add_option("--size", setting.Size, "width and height in pixels")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--pixels", setting.Pixels, "pixels that are compared")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--samples", setting.Samples, "samples of the reference for each of them")->capture_default_str();
-  app.add_option("--seeds", setting.Seeds, "images of Guided")->check(CLI::Range(2, 1000))->capture_default_str();
-  app.add_option("--goal", setting.Goal, "RelativeErrorGoal")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  ProgramOptions commandLine("The bias of Guided with proved cones, in standard errors");
+  commandLine.Add("--scene", scenes, "some of the scenes of proof-table; all of them where none is named");
+  commandLine.AddPositive("--size", setting.Size, "width and height in pixels");
+  commandLine.AddPositive("--pixels", setting.Pixels, "pixels that are compared");
+  commandLine.Add("--samples", setting.Samples, "samples of the reference for each of them");
+  commandLine.AddWithin("--seeds", setting.Seeds, "images of Guided", 2, 1000);
+  commandLine.Add("--goal", setting.Goal, "RelativeErrorGoal");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   vtkObject::GlobalWarningDisplayOff();
   double sum = 0.0;
   int rows = 0;

@@ -5,12 +5,11 @@
 // (Testing/Support/PointSource.h). Rays pass the source at 0.1 to 3 mean free paths. The error is the root mean square of
 // what is found less the exact value, over the mean exact value; times are of one thread and of a ray.
 #include "PointSource.h"
+#include "ProgramOptions.h"
 #include "TestLights.h"
 #include "scPhotonEstimates.h"
 #include "scPhotonMap.h"
 #include "scPointTree.h"
-
-#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cmath>
@@ -145,14 +144,17 @@ void MeasureMap(const StoredPhotons& photons, const std::vector<LookedAt>& rays,
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("Estimates of multiple scattering against the exact light around a point source");
+  ProgramOptions commandLine("Estimates of multiple scattering against the exact light around a point source");
   vtkIdType count = 50000;
   double albedo = 0.9;
   int maps = 4;
-  app.add_option("--photons", count, "photons to emit for a map (default: 50000)");
-  app.add_option("--albedo", albedo, "albedo of the medium (default: 0.9)");
-  app.add_option("--maps", maps, "maps of other seeds (default: 4)");
-  CLI11_PARSE(app, argc, argv);
+  commandLine.Add("--photons", count, "photons to emit for a map");
+  commandLine.Add("--albedo", albedo, "albedo of the medium");
+  commandLine.Add("--maps", maps, "maps of other seeds");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
 
   Medium medium;
   medium.SigmaS = { albedo };

@@ -13,6 +13,7 @@
 #include "BenchmarkScene.h"
 #include "ErrorCurve.h"
 #include "FogSpeed.h"
+#include "ProgramOptions.h"
 #include "SphereRoom.h"
 #include "StageMemory.h"
 #include "ThreadReplay.h"
@@ -30,8 +31,6 @@
 #include "vtkPolyData.h"
 
 #include "vtkAreaLightSource.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -278,21 +277,23 @@ void MeasurePixels(double triangles, int smallest, int largest)
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("What the pipeline costs beside the estimators.");
+  ProgramOptions commandLine("What the pipeline costs beside the estimators.");
   std::vector<std::string> rows{ "frames", "volume", "probe", "rising", "umbra", "memory", "fog", "pixels", "threads" };
   double triangles = 1e6;
   int size = 256;
   int points = 257;
   int largest = 1024;
   std::string scene = "chair";
-  app.add_option("--rows", rows, "frames, volume, probe, rising, umbra, memory, fog, pixels, threads")
-    ->capture_default_str();
-  app.add_option("--triangles", triangles, "of the sphere")->capture_default_str();
-  app.add_option("--size", size, "width and height of images, pixels")->capture_default_str();
-  app.add_option("--largest", largest, "width and height of the largest image for pixels")->capture_default_str();
-  app.add_option("--points", points, "of a volume along a side")->capture_default_str();
-  app.add_option("--scene", scene, "chair, tree, blob or a mesh file, for probes and threads")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  commandLine.Add("--rows", rows, "frames, volume, probe, rising, umbra, memory, fog, pixels, threads");
+  commandLine.Add("--triangles", triangles, "of the sphere");
+  commandLine.Add("--size", size, "width and height of images, pixels");
+  commandLine.Add("--largest", largest, "width and height of the largest image for pixels");
+  commandLine.Add("--points", points, "of a volume along a side");
+  commandLine.Add("--scene", scene, "chair, tree, blob or a mesh file, for probes and threads");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   try
   {
     for (const std::string& row : rows)

@@ -8,6 +8,7 @@
 //   check     the independent check of the default set, and the leaks that the search for a point in shadow outside its cones found
 //   seconds   for vectors, cones and proof, with Tuning Manual and by default
 #include "ConeAdversary.h"
+#include "ProgramOptions.h"
 #include "ProofScenes.h"
 
 #include "scClassifyByCones.h"
@@ -20,8 +21,6 @@
 #include "scSampleTruth.h"
 
 #include "vtkObject.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -128,14 +127,17 @@ int main(int argc, char** argv)
   Setting setting;
   std::vector<std::string> scenes;
   std::vector<std::string> lights;
-  CLI::App app{ "What is proved, how tight it is and what it costs" };
-  app.add_option("--scene", scenes, "some of the scenes; all of them where none is named");
-  app.add_option("--light", lights,
+  ProgramOptions commandLine("What is proved, how tight it is and what it costs");
+  commandLine.Add("--scene", scenes, "some of the scenes; all of them where none is named");
+  commandLine.Add("--light", lights,
     "lights in place of the scenes' own: disc, rectangle, sphere, point, sun, mesh; where none is named the chair has each of them");
-  app.add_option("--vectors", setting.Vectors, "shadow vectors asked for")->capture_default_str();
-  app.add_option("--points", setting.Points, "sample points of each scene")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--tries", setting.Tries, "points looked for in shadow and outside every cone")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  commandLine.Add("--vectors", setting.Vectors, "shadow vectors asked for");
+  commandLine.AddPositive("--points", setting.Points, "sample points of each scene");
+  commandLine.Add("--tries", setting.Tries, "points looked for in shadow and outside every cone");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   vtkObject::GlobalWarningDisplayOff();
   bool whole = true;
   try

@@ -7,11 +7,11 @@
 // noise taken off. Each mode is run over its knobs, and its time at an error is read off its own curve.
 #include "DarkScenes.h"
 #include "GrowthSweep.h"
+#include "ProgramOptions.h"
 #include "SpeedMeasurement.h"
 #include "SpeedReport.h"
 
-#include <CLI/CLI.hpp>
-
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -64,42 +64,29 @@ void Run(const std::vector<std::string>& scenes, const SpeedSetting& setting, bo
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("Time at equal error of the scattering image, against three named baselines.");
+  ProgramOptions commandLine("Time at equal error of the scattering image, against three named baselines.");
   SpeedSetting setting;
   std::vector<std::string> scenes = DefaultScenes();
-  std::vector<double> center = { setting.Light.Center.X, setting.Light.Center.Y, setting.Light.Center.Z };
+  std::array<double, 3> center = { setting.Light.Center.X, setting.Light.Center.Y, setting.Light.Center.Z };
   std::string jsonFile;
   bool sweep = false;
-  app.add_option("--scene", scenes, "chair, tree, blob, blinds, canopy, holes, colonnade, or mesh files, which are scaled to a height of 3 units")
-    ->capture_default_str();
-  app.add_option("--light-radius", setting.Light.Radius, "radius of the disc light that faces down")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-  app.add_option("--light-center", center, "its centre; the room is x and z in +-2.75, y in 0..5.2")->expected(3);
-  app.add_option("--vectors", setting.Vectors, "shadow vectors asked for; 0: 5800, on the tree 20000");
-  app.add_option("--size", setting.Size, "width and height in pixels")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-  app.add_option("--threads", setting.Threads, "threads; the reference takes all")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-  app.add_option("--repeats", setting.Repeats, "runs of each job, of which the median counts")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-  app.add_option("--enough", setting.Enough, "seconds after which a job is not repeated, but for its second run")
-    ->capture_default_str();
-  app.add_option("--pixels", setting.Pixels, "pixels that are compared with the reference")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-  app.add_option("--samples", setting.Samples, "samples of the reference for each of them")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-  app.add_option("--cache", setting.Folder, "folder that keeps references from one run to the next")
-    ->capture_default_str();
-  app.add_option("--json", jsonFile, "file that receives all figures");
-  app.add_flag(
-    "--sweep", sweep, "instead of the table: growth with resolution, light radius, photons, triangles and threads");
-  CLI11_PARSE(app, argc, argv);
+  commandLine.Add("--scene", scenes, "chair, tree, blob, blinds, canopy, holes, colonnade, or mesh files, which are scaled to a height of 3 units");
+  commandLine.AddPositive("--light-radius", setting.Light.Radius, "radius of the disc light that faces down");
+  commandLine.Add("--light-center", center, "its centre; the room is x and z in +-2.75, y in 0..5.2");
+  commandLine.Add("--vectors", setting.Vectors, "shadow vectors asked for; 0: 5800, on the tree 20000");
+  commandLine.AddPositive("--size", setting.Size, "width and height in pixels");
+  commandLine.AddPositive("--threads", setting.Threads, "threads; the reference takes all");
+  commandLine.AddPositive("--repeats", setting.Repeats, "runs of each job, of which the median counts");
+  commandLine.Add("--enough", setting.Enough, "seconds after which a job is not repeated, but for its second run");
+  commandLine.AddPositive("--pixels", setting.Pixels, "pixels that are compared with the reference");
+  commandLine.AddPositive("--samples", setting.Samples, "samples of the reference for each of them");
+  commandLine.Add("--cache", setting.Folder, "folder that keeps references from one run to the next");
+  commandLine.Add("--json", jsonFile, "file that receives all figures");
+  commandLine.AddFlag("--sweep", sweep, "instead of the table: growth with resolution, light radius, photons, triangles and threads");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   setting.Light.Center = { center[0], center[1], center[2] };
 
   try

@@ -4,6 +4,7 @@
 // The scene is the room with coloured side walls and a black back wall (Data/cornell-box.vtp). The error is that of the
 // medium term: root of the mean square over pixels, over the mean, of the mean over wavelengths. The truth is
 // Testing/Reference at random pixels, with independent random light points; its own noise is known and taken off.
+#include "ProgramOptions.h"
 #include "ReferencePixels.h"
 
 #include "scCone.h"
@@ -13,8 +14,6 @@
 #include "scScatteringOptions.h"
 
 #include "vtkSMPTools.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -56,26 +55,28 @@ std::vector<double> MediumTerm(const ScatteringImage& image, const std::vector<P
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("Seconds, error and occlusion rays of each mode of the scattering image.");
+  ProgramOptions commandLine("Seconds, error and occlusion rays of each mode of the scattering image.");
   Setting setting;
   std::vector<std::string> scenes = { "chair", "tree" };
   std::string folder = ".";
   vtkIdType vectors = 5800;
   int threads = 1;
-  app.add_option("--scene", scenes, "chair, tree, blob, or a mesh file");
-  app.add_option("--vectors", vectors, "shadow vectors asked for");
-  app.add_option("--size", setting.Size, "width and height in pixels")->check(CLI::PositiveNumber);
-  app.add_option("--pixels", setting.Pixels, "pixels that are compared with the reference")->check(CLI::PositiveNumber);
-  app.add_option("--samples", setting.Samples, "samples of the reference for each of them")->check(CLI::PositiveNumber);
-  app.add_option("--light-samples", setting.LightSamples, "light points for each march sample")
-    ->check(CLI::PositiveNumber);
-  app.add_option("--steps", setting.Steps, "march intervals along a ray")->check(CLI::PositiveNumber);
-  app.add_option("--depth", setting.Depth, "times an interval may be halved");
-  app.add_option("--threshold", setting.Threshold, "difference that halves an interval");
-  app.add_option("--repeats", setting.Repeats, "the best time of so many runs")->check(CLI::PositiveNumber);
-  app.add_option("--threads", threads, "threads for the images; the reference takes all");
-  app.add_option("--cache", folder, "folder that keeps the reference from one run to the next");
-  CLI11_PARSE(app, argc, argv);
+  commandLine.Add("--scene", scenes, "chair, tree, blob, or a mesh file");
+  commandLine.Add("--vectors", vectors, "shadow vectors asked for");
+  commandLine.AddPositive("--size", setting.Size, "width and height in pixels");
+  commandLine.AddPositive("--pixels", setting.Pixels, "pixels that are compared with the reference");
+  commandLine.AddPositive("--samples", setting.Samples, "samples of the reference for each of them");
+  commandLine.AddPositive("--light-samples", setting.LightSamples, "light points for each march sample");
+  commandLine.AddPositive("--steps", setting.Steps, "march intervals along a ray");
+  commandLine.Add("--depth", setting.Depth, "times an interval may be halved");
+  commandLine.Add("--threshold", setting.Threshold, "difference that halves an interval");
+  commandLine.AddPositive("--repeats", setting.Repeats, "the best time of so many runs");
+  commandLine.Add("--threads", threads, "threads for the images; the reference takes all");
+  commandLine.Add("--cache", folder, "folder that keeps the reference from one run to the next");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
 
   try
   {

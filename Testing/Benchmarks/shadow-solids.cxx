@@ -2,6 +2,7 @@
 // Solids of vtkShadowVolume held against random points: volumes of the outer and the inner bound, the share of the inner one that
 // sees light, and seconds; for a house, a plate, a ring and a sphere, each under a Sun, a disc and a point.
 #include "BenchmarkScene.h"
+#include "ProgramOptions.h"
 #include "SolidReference.h"
 #include "SolidScenes.h"
 #include "TestPolyData.h"
@@ -9,8 +10,6 @@
 
 #include "scMeshData.h"
 #include "vtkShadowVolume.h"
-
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -90,18 +89,19 @@ int main(int argc, char** argv)
   Options options;
   std::vector<std::string> occluders = { "house", "plate", "ring", "sphere" };
   std::vector<std::string> lights = { "sun", "disc", "point" };
-  CLI::App app{ "Shadow solids against random points" };
-  app.add_option("--occluder", occluders, "house, plate, ring, sphere")->capture_default_str();
-  app.add_option("--light", lights, "sun, disc, point")->capture_default_str();
-  app.add_option("--method", options.Method, "visibility or projection")->capture_default_str();
-  app.add_option("--resolution", options.Resolution, "cells along the longest side")->capture_default_str();
-  app.add_option("--light-samples", options.LightSamples, "points inside the light")->capture_default_str();
-  app.add_option("--side", options.Side, "the cube of this many reference points for the volumes")
-    ->capture_default_str();
-  app.add_option("--points", options.Points, "reference points inside the inner bound")->capture_default_str();
-  app.add_option("--rays", options.Rays, "to the rim of the light, and as many inside, from each reference point")
-    ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  ProgramOptions commandLine("Shadow solids against random points");
+  commandLine.Add("--occluder", occluders, "house, plate, ring, sphere");
+  commandLine.Add("--light", lights, "sun, disc, point");
+  commandLine.Add("--method", options.Method, "visibility or projection");
+  commandLine.Add("--resolution", options.Resolution, "cells along the longest side");
+  commandLine.Add("--light-samples", options.LightSamples, "points inside the light");
+  commandLine.Add("--side", options.Side, "the cube of this many reference points for the volumes");
+  commandLine.Add("--points", options.Points, "reference points inside the inner bound");
+  commandLine.Add("--rays", options.Rays, "to the rim of the light, and as many inside, from each reference point");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   try
   {
     std::printf("%-13s %9s %9s    %5s %9s %9s %9s    %5s %9s %10s %7s\n", "scene", "outer", "reference", "", "off",

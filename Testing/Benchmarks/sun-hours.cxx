@@ -4,13 +4,12 @@
 //
 // Seconds are of vtkSunHours as a whole, with its search tree; the path is made before. Every row is the least of
 // several runs.
+#include "ProgramOptions.h"
 #include "TestMeshes.h"
 #include "TestPolyData.h"
 #include "scRandom.h"
 #include "vtkSunHours.h"
 #include "vtkSunPath.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -81,20 +80,19 @@ double Seconds(vtkSunHours* filter, int runs)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Time of vtkSunHours in a town of boxes, at 48 degrees north");
+  ProgramOptions commandLine("Time of vtkSunHours in a town of boxes, at 48 degrees north");
   int triangles = 100000;
   int sensors = 10000;
   int runs = 3;
   bool year = false;
-  app.add_option("--triangles", triangles, "triangles of the town, at least")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-  app.add_option("--sensors", sensors, "places that are asked")->check(CLI::PositiveNumber)->capture_default_str();
-  app.add_option("--runs", runs, "runs, of which the quickest counts")
-    ->check(CLI::PositiveNumber)
-    ->capture_default_str();
-  app.add_flag("--year", year, "a year in steps of ten minutes too");
-  CLI11_PARSE(app, argc, argv);
+  commandLine.AddPositive("--triangles", triangles, "triangles of the town, at least");
+  commandLine.AddPositive("--sensors", sensors, "places that are asked");
+  commandLine.AddPositive("--runs", runs, "runs, of which the quickest counts");
+  commandLine.AddFlag("--year", year, "a year in steps of ten minutes too");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
 
   double size = 0.0;
   const auto town = Town(triangles, size);
