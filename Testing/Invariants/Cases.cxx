@@ -113,7 +113,7 @@ vtkPolyData* VectorsOfTwo(int output)
     auto filter = vtkSmartPointer<vtkShadowVectorFilter>::New();
     filter->SetInputData(Room());
     filter->SetLightData(TwoLamps());
-    filter->SetTargetNumberOfVectors(3000);
+    filter->SetTargetNumberOfVectors(1500);
     filter->Update();
     return filter;
   }();
@@ -371,7 +371,7 @@ Setting Footprints(Size size)
 {
   auto filter = vtkSmartPointer<vtkShadowFootprints>::New();
   filter->SetNumberOfLightSamples(64);
-  filter->SetSpacing(size == Size::Small ? 0.2 : 0.015);
+  filter->SetSpacing(size == Size::Small ? 0.3 : 0.015);
   filter->SetRefinements(1);
   return { filter, { { 0, Floor(2) }, { 1, Lamp() }, { 2, Room() } } };
 }
