@@ -7,12 +7,15 @@
 #define ThreadReplay_h
 
 #include <string>
+#include <vector>
 
 namespace shadowcones
 {
 
-/// Print a line a stage: seconds on one and two threads, and what 16 and 64 would do.
-void MeasureThreads(const std::string& scene, int size);
+/// Print a line a stage: seconds on one and two threads, and what 16 and 64 would do. Stages are those of threadStages.
+void MeasureThreads(const std::string& scene, int size, const std::vector<std::string>& stages);
+
+const std::vector<std::string> threadStages{ "Guided", "Volume", "BruteForce", "fill", "vectors", "cones", "tuning" };
 
 } // namespace shadowcones
 

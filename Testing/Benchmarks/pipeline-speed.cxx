@@ -290,6 +290,8 @@ int main(int argc, char* argv[])
   commandLine.Add("--largest", largest, "width and height of the largest image for pixels");
   commandLine.Add("--points", points, "of a volume along a side");
   commandLine.Add("--scene", scene, "chair, tree, blob or a mesh file, for probes and threads");
+  std::vector<std::string> stages = threadStages;
+  commandLine.AddChoice("--stages", stages, "stages for threads", threadStages);
   if (const std::optional<int> status = commandLine.Read(argc, argv))
   {
     return *status;
@@ -332,7 +334,7 @@ int main(int argc, char* argv[])
       }
       else if (row == "threads")
       {
-        MeasureThreads(scene, size);
+        MeasureThreads(scene, size, stages);
       }
     }
   }

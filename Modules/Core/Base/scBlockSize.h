@@ -23,12 +23,12 @@ struct FinishedBlock
 /**
  * Items for a thread to take of the @p left ones of a loop. Blocks grow to some milliseconds, so that taking them costs
  * nothing, and shrink at the end, so that no thread has much left when the others have nothing: to a share of what is
- * left, but not below a tenth of a millisecond.
+ * left, but not below a fortieth of a millisecond.
  */
 inline vtkIdType NextBlockSize(vtkIdType left, int threads, const FinishedBlock& last)
 {
   constexpr double wantedSeconds = 4e-3;
-  constexpr double leastSeconds = 1e-4;
+  constexpr double leastSeconds = 2.5e-5;
   constexpr double growth = 8.0;
   if (last.Items == 0)
   {

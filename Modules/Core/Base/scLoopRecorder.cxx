@@ -24,6 +24,13 @@ double Now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Items to time together after so many took so long: where one takes less than the clock can tell, it would be the clock that is timed.
+vtkIdType NextTogether(vtkIdType items, double seconds)
+{
+  constexpr double enough = 1e-5;
+  return seconds < enough ? 2 * items : (seconds > 4.0 * enough ? std::max<vtkIdType>(1, items / 2) : items);
+}
+
 /// The thread that is free first goes on.
 class FreeThreads
 {
@@ -342,20 +349,27 @@ void LoopRecorder::Run(vtkIdType count, const std::function<void(vtkIdType begin
   double start = Now();
   loop.Before = start - (isInner ? this->InnerEnd : this->End);
   loop.Items.reserve(static_cast<std::size_t>(count));
+  loop.Inner.reserve(static_cast<std::size_t>(count));
   this->InsideInner = isInner;
-  for (vtkIdType i = 0; i < count; ++i)
+  vtkIdType together = 1;
+  for (vtkIdType begin = 0; begin < count;)
   {
+    const vtkIdType end = std::min(begin + together, count);
     std::vector<Loop> inner;
+    start = Now();
     if (!isInner)
     {
       this->OfItem = &inner;
       this->InnerEnd = start;
     }
-    body(i, i + 1);
-    const double end = Now();
-    loop.Items.push_back(end - start);
+    body(begin, end);
+    const double seconds = Now() - start;
+    const bool isPlain = groups.empty() && inner.empty();
+    loop.Items.insert(loop.Items.end(), static_cast<std::size_t>(end - begin), seconds / static_cast<double>(end - begin));
     loop.Inner.push_back(std::move(inner));
-    start = end;
+    loop.Inner.resize(loop.Items.size());
+    together = isPlain ? NextTogether(end - begin, seconds) : 1;
+    begin = end;
   }
   this->InsideInner = false;
   if (isInner)

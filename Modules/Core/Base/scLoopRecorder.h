@@ -16,7 +16,8 @@ namespace shadowcones
 {
 
 /**
- * While one is there, ParallelFor() runs item after item on the calling thread and notes the seconds of each. Loops
+ * While one is there, ParallelFor() runs item after item on the calling thread and notes the seconds of each;
+ * items that are too short for the clock are timed some at a time, and share the seconds evenly. Loops
  * inside of an item are part of it, and noted too; those inside of these are not. For programs that measure; one at a time.
  */
 class SHADOWCONESCORE_EXPORT LoopRecorder
