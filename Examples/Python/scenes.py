@@ -158,6 +158,13 @@ def box(*bounds):
     return cube.GetOutput()
 
 
+def solid(*bounds):
+    """A box whose sides are one closed surface: normals of its own would keep them apart."""
+    mesh = box(*bounds)
+    mesh.GetPointData().Initialize()
+    return mesh
+
+
 def sheet(origin, first, second, cells):
     """A rectangle from a corner along two edges, in so many cells along each. It looks along first x second."""
     plane = vtkPlaneSource()
@@ -271,3 +278,16 @@ def courtyard_surfaces(size):
         parts += [((x0, y0, z1), x, y), ((x0, y0, z0), x, z), ((x0, y1, z0), x, z),
                   ((x0, y0, z0), y, z), ((x1, y0, z0), y, z)]
     return joined([sheet(*part, [max(1, round(np.linalg.norm(edge) / size)) for edge in part[1:]]) for part in parts])
+
+
+def l_plate(height=1.5):
+    """A plate like an L without thickness, two wide, level; its arms are 0.7 wide."""
+    corners = ((-1.0, -1.0), (-0.3, -1.0), (1.0, -1.0), (-1.0, -0.3), (-0.3, -0.3), (1.0, -0.3), (-1.0, 1.0), (-0.3, 1.0))
+    points, faces, mesh = vtkPoints(), vtkCellArray(), vtkPolyData()
+    for x, z in corners:
+        points.InsertNextPoint(x, height, z)
+    for face in ((0, 3, 4, 1), (1, 4, 5, 2), (3, 6, 7, 4)):
+        faces.InsertNextCell(4, face)
+    mesh.SetPoints(points)
+    mesh.SetPolys(faces)
+    return mesh

@@ -12,7 +12,7 @@ import unittest.mock
 
 FOLDER, LISTS = sys.argv[1:3]
 # Imported by the others.
-SHARED = {"common.py", "cone_sets.py", "drawing.py", "scenes.py"}
+SHARED = {"by_hand.py", "common.py", "cone_sets.py", "diagrams.py", "drawing.py", "scenes.py"}
 
 
 def examples():
