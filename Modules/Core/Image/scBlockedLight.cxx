@@ -64,6 +64,7 @@ BlockedLight::BlockedLight(const RenderContext& context, const LightLegs* legs)
   , OpticalDepth(context.Scene.Medium)
   , Legs(legs)
   , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
+  , Ends(context.Options.ShareNearEnds)
   , Intervals(context.Groups)
   , Ratio(context.Groups)
 {
@@ -241,6 +242,7 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
   std::uint32_t scrambleV = 0;
 
   IntervalLight::Node node;
+  double density = 1.0;
   double allBefore = 0.0;
   double visibleBefore = 0.0;
   for (int k = 0; k < count; ++k)
@@ -252,7 +254,7 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
       scrambleU = static_cast<std::uint32_t>(scramble >> 32);
       scrambleV = static_cast<std::uint32_t>(scramble);
     }
-    const double t = this->Intervals.MoveTo((k + random.Next()) / count * distributed, node);
+    const double t = this->Intervals.MoveTo((k + random.Next()) / count * distributed, this->Ends, node, density);
     const double inCell = lit.Of(node.Cell);
     const Vector3 point = ray.Origin + t * ray.Direction;
 
@@ -270,7 +272,7 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
       const double depth = this->OpticalDepth.Along(t) +
         DepthTowards(this->Legs, this->OpticalDepth, point, sample.Direction, sample.Distance);
       // Over the density of places: the light in the cell per its width, over all of the intervals' light.
-      const double weight = distributed * lit.Width(node.Cell) / inCell / count;
+      const double weight = distributed * lit.Width(node.Cell) / inCell / count / density;
       for (int g = 0; g < groups; ++g)
       {
         const auto group = static_cast<std::size_t>(g);

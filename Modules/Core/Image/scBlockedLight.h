@@ -4,12 +4,14 @@
  * @brief What occluders leave of the medium term of a camera ray, by occlusion rays. Internal to Core.
  *
  * The unshadowed term is known in 64 cells of the ray: see scLitProfileLayout.h. Where cones allow for shadow, samples are
- * taken at places spread evenly over the unshadowed light in these intervals, each with a light point of its own: of
+ * taken at places spread evenly over the unshadowed light in these intervals (or denser at their ends, where ShareNearEnds
+ * asks for that), each with a light point of its own: of
  * the n places and light points every n-th part holds one. What is left of the light is a ratio: see scVisibleRatio.h.
  */
 #ifndef scBlockedLight_h
 #define scBlockedLight_h
 
+#include "scEndDensity.h"
 #include "scIntervalLight.h"
 #include "scLightLegs.h"
 #include "scLightSampler.h"
@@ -100,6 +102,7 @@ private:
   MediumOpticalDepth OpticalDepth;
   const LightLegs* Legs;
   const RayRules Rules; ///< for what is flush with the light
+  const EndDensity Ends;
   const LitSums* Lit = nullptr;
   Yardstick Measure;
   std::uint64_t Seed = 0;

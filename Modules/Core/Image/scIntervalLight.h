@@ -6,6 +6,7 @@
 #ifndef scIntervalLight_h
 #define scIntervalLight_h
 
+#include "scEndDensity.h"
 #include "scExtinctionGroups.h"
 #include "scLitSums.h"
 #include "scRayInterval.h"
@@ -50,15 +51,26 @@ public:
   double MeanInside() const { return this->Mean; } ///< over wavelengths
   double Distributed() const { return this->All; } ///< the same by the distribution of places
 
-  /// To where so much of the intervals' light lies before. @return the distance along the ray.
-  double MoveTo(double light, Node& node) const
+  /**
+   * To where so much of the intervals' light lies before, each interval's places moved towards its ends.
+   * @param density of places there, over an even one. @return the distance along the ray.
+   */
+  double MoveTo(double light, const EndDensity& ends, Node& node, double& density) const
   {
     while (node.Part + 1 < this->PartsOfRay.size() && light >= this->PartsOfRay[node.Part + 1].Before)
     {
       ++node.Part;
     }
     const Part& part = this->PartsOfRay[node.Part];
-    return this->MoveToSum(part.Begin + (light - part.Before), node.Cell);
+    const double before = light - part.Before;
+    if (ends.IsEven())
+    {
+      density = 1.0;
+      return this->MoveToSum(part.Begin + before, node.Cell);
+    }
+    const double place = ends.Place(before / part.Light);
+    density = ends.Density(place);
+    return this->MoveToSum(part.Begin + place * part.Light, node.Cell);
   }
   /// The same for light counted from the beginning of the ray.
   double MoveToSum(double sum, int& cell) const;

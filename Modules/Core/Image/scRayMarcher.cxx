@@ -26,6 +26,7 @@ RayMarcher::RayMarcher(const RenderContext& context, const LightLegs* legs)
   , OpticalDepth(context.Scene.Medium)
   , Legs(legs)
   , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
+  , Ends(context.Options.ShareNearEnds)
   , Intensities(static_cast<std::size_t>(context.Strata.Count()))
 {
   for (int g = 0; g < this->NumberOfGroups; ++g)
@@ -101,38 +102,64 @@ void RayMarcher::FindIntervals(double tBegin, double tEnd)
     }
   }
 
-  // Fast marches over what cones leave; the others over everything.
+  this->CutAtCones({ tBegin, tEnd });
+  this->PlaceNodes();
+}
+
+/// Fast marches over what cones leave, the others over everything: in one go, but where samples lie denser near ends.
+void RayMarcher::CutAtCones(const RayInterval& whole)
+{
+  const ScatteringMode mode = this->Context.Options.Mode;
+  const bool denser = mode == ScatteringMode::Medium && !this->Ends.IsEven();
   this->Intervals.clear();
-  const double step = (tEnd - tBegin) / options.NumberOfSteps;
-  double begin = tBegin;
-  std::size_t nodes = 0;
-  const auto add = [&](double from, double to)
-  {
-    if (to > from)
-    {
-      const int steps =
-        from == tBegin && to == tEnd ? options.NumberOfSteps : static_cast<int>(std::ceil((to - from) / step));
-      this->Intervals.push_back({ { from, to }, nodes, std::max(steps, 1) });
-      nodes += static_cast<std::size_t>(this->Intervals.back().NumberOfSteps) + 1;
-    }
-  };
-  if (options.Mode == ScatteringMode::Fast)
+  double begin = whole.Begin;
+  if (mode == ScatteringMode::Fast || denser)
   {
     for (const OccluderInterval& interval : this->InCones)
     {
-      add(begin, interval.Begin);
+      this->AddInterval(whole, begin, std::min(interval.Begin, whole.End), false);
+      if (denser)
+      {
+        this->AddInterval(whole, std::max(begin, interval.Begin), std::min(interval.End, whole.End), true);
+      }
       begin = std::max(begin, interval.End);
     }
   }
-  add(begin, tEnd);
+  this->AddInterval(whole, begin, whole.End, false);
+}
 
-  this->Nodes.resize(nodes);
+void RayMarcher::AddInterval(const RayInterval& whole, double begin, double end, bool inCones)
+{
+  if (!(end > begin))
+  {
+    return;
+  }
+  int steps = this->Context.Options.NumberOfSteps;
+  if (begin != whole.Begin || end != whole.End)
+  {
+    const double longest = (whole.End - whole.Begin) / steps;
+    steps = std::max(static_cast<int>(std::ceil((end - begin) / longest)), 1);
+  }
+  this->Intervals.push_back({ { begin, end }, this->NumberOfNodes(), steps, inCones });
+}
+
+std::size_t RayMarcher::NumberOfNodes() const
+{
+  return this->Intervals.empty()
+    ? 0
+    : this->Intervals.back().FirstNode + static_cast<std::size_t>(this->Intervals.back().NumberOfSteps) + 1;
+}
+
+void RayMarcher::PlaceNodes()
+{
+  this->Nodes.resize(this->NumberOfNodes());
   for (const MarchInterval& interval : this->Intervals)
   {
     for (int k = 0; k <= interval.NumberOfSteps; ++k)
     {
       const std::size_t index = interval.FirstNode + static_cast<std::size_t>(k);
-      const double fraction = static_cast<double>(k) / interval.NumberOfSteps;
+      const double part = static_cast<double>(k) / interval.NumberOfSteps;
+      const double fraction = interval.InCones ? this->Ends.Place(part) : part;
       this->Nodes[index].T =
         k == interval.NumberOfSteps ? interval.End : interval.Begin + fraction * (interval.End - interval.Begin);
       this->Nodes[index].Key = static_cast<std::uint64_t>(index) << keyBits;
@@ -178,7 +205,13 @@ bool RayMarcher::NeedsOcclusionRays(double t) const
   }
   const auto after = std::upper_bound(this->InCones.begin(), this->InCones.end(), t,
     [](double value, const OccluderInterval& interval) { return value < interval.Begin; });
-  return after != this->InCones.begin() && t <= (after - 1)->End;
+  if (after == this->InCones.begin())
+  {
+    return false;
+  }
+  const OccluderInterval& interval = *(after - 1);
+  // Where intervals are cut at the cones, both parts have a node on the cut; it is outside of the cones by the margin.
+  return this->Ends.IsEven() ? t <= interval.End : t > interval.Begin && t < interval.End;
 }
 
 void RayMarcher::Evaluate(Node& node)

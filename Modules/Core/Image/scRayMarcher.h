@@ -6,6 +6,7 @@
 #ifndef scRayMarcher_h
 #define scRayMarcher_h
 
+#include "scEndDensity.h"
 #include "scLightLegs.h"
 #include "scLightSampler.h"
 #include "scMediumOpticalDepth.h"
@@ -61,9 +62,14 @@ private:
   {
     std::size_t FirstNode = 0;
     int NumberOfSteps = 1;
+    bool InCones = false; ///< Medium with ShareNearEnds: nodes lie denser near both ends
   };
 
   void FindIntervals(double tBegin, double tEnd);
+  void CutAtCones(const RayInterval& whole);
+  void AddInterval(const RayInterval& whole, double begin, double end, bool inCones);
+  std::size_t NumberOfNodes() const;
+  void PlaceNodes();
   void Evaluate(Node& node);
   void EvaluateBaseNodes();
   bool NeedsOcclusionRays(double t) const;
@@ -80,6 +86,7 @@ private:
   const LightLegs* Legs;
   LightLegs::Place Place; ///< of the node at hand
   const RayRules Rules; ///< for what is flush with the light
+  const EndDensity Ends;
   std::vector<double> Intensities; ///< of the light samples of one node
   Ray CameraRay;
   std::uint64_t PixelSeed = 0;

@@ -57,6 +57,10 @@ const char* CheckScatteringOptions(const ScatteringOptions& options)
   {
     return "IntensityThreshold must be 0 or above";
   }
+  if (!(options.ShareNearEnds >= 0.0 && options.ShareNearEnds < 1.0))
+  {
+    return "ShareNearEnds must be 0 or above, and below 1";
+  }
   if (!(options.RelativeErrorGoal >= 0.0))
   {
     return "RelativeErrorGoal must be 0 or above";

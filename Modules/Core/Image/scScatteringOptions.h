@@ -42,6 +42,9 @@ struct ScatteringOptions
   int NumberOfSteps = 32;  ///< BruteForce, Medium, Fast: march intervals over a ray's part in the medium, 1..1000000
   int MaximumHalvings = 3; ///< times an interval may be halved, 0..16
   double IntensityThreshold = 0.1; ///< halve where the ends differ by more than this share of the ray's largest value
+  /// Medium, and Guided where it samples places: this share of the samples in a cone interval lies near its ends
+  /// (Hougs and Day, section 3.3.1); 0 and above, below 1. With 0 Medium takes the very samples of BruteForce.
+  double ShareNearEnds = 0.0;
   int NumberOfLightSamples = 16;   ///< fresh stratified light points per march sample, 1..65536
   /// Fewest light points for a surface, half of them in a look that decides on more, 0..65536; 0: surfaces are black.
   /// Light that nothing can hide takes none: it comes from a rule, which has no noise.

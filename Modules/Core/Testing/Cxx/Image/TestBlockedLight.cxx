@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scBlockedLight.h"
+#include "scEndDensity.h"
 
 #include "LitScene.h"
 #include "TestMeshes.h"
@@ -203,5 +204,48 @@ TEST(BlockedLight, NearlySpentSamplesSpoilNothing)
     EXPECT_EQ(result.Samples, most);
     EXPECT_NEAR(result.Fraction, 0.25, 3.0 / most);
     EXPECT_LT(result.Error, 3.0 / most);
+  }
+}
+
+TEST(BlockedLight, DenserEndsChangeNoMean)
+{
+  SunnyRay sunny;
+  sunny.Options.RelativeErrorGoal = 0.0;
+  sunny.Options.MaximumSamples = 32;
+  for (const double share : { 0.25, 0.75 })
+  {
+    sunny.Options.ShareNearEnds = share;
+    double sum = 0.0;
+    double squares = 0.0;
+    constexpr int seeds = 400;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed)
+    {
+      const double fraction = sunny.Estimate({ { 1.6, 3.9 } }, seed).Fraction;
+      sum += fraction;
+      squares += fraction * fraction;
+    }
+    const double mean = sum / seeds;
+    const double error = std::sqrt((squares / seeds - mean * mean) / seeds);
+    EXPECT_NEAR(mean, 0.25, 3.0 * error);
+    EXPECT_LT(error, 3e-3);
+  }
+}
+
+TEST(EndDensity, PlacesFollowTheDensity)
+{
+  for (const double share : { 0.0, 1e-9, 0.3, 0.95 })
+  {
+    const EndDensity ends(share);
+    double part = 0.0;
+    constexpr int steps = 1000;
+    for (int k = 0; k < steps; ++k)
+    {
+      // Simpson's rule is exact for a parabola.
+      const double from = static_cast<double>(k) / steps;
+      part += (ends.Density(from) + 4.0 * ends.Density(from + 0.5 / steps) + ends.Density(from + 1.0 / steps)) / (6.0 * steps);
+      EXPECT_NEAR(ends.Place(part), from + 1.0 / steps, 1e-9);
+    }
+    EXPECT_EQ(ends.Place(0.5), 0.5);
+    EXPECT_NEAR(part, 1.0, 1e-12);
   }
 }

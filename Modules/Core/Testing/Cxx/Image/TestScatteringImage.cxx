@@ -328,6 +328,21 @@ TEST(ScatteringImage, MediumHasTheBytesOfBruteForceWhereConesBoundTheShadow)
   EXPECT_GT(Sum(room.Render(ScatteringMode::Medium).InScattering), 1.01 * Sum(bruteForce.InScattering));
 }
 
+TEST(ScatteringImage, MediumHasTheSameLightWithNodesDenserAtTheEndsOfCones)
+{
+  Room room;
+  room.Options.NumberOfSteps = 96;
+  room.Options.NumberOfLightSamples = 16;
+  const double bruteForce = Sum(room.Render(ScatteringMode::BruteForce).InScattering);
+  room.Options.ShareNearEnds = 0.5;
+  const ScatteringImage medium = room.Render(ScatteringMode::Medium, room.BoundingCones());
+  EXPECT_NEAR(Sum(medium.InScattering), bruteForce, 4e-3 * bruteForce);
+  // The option does nothing for the others.
+  const ScatteringImage others = room.Render(ScatteringMode::BruteForce);
+  room.Options.ShareNearEnds = 0.0;
+  ExpectSameBytes(others, room.Render(ScatteringMode::BruteForce));
+}
+
 TEST(ScatteringImage, FastCastsNoRaysAndIsDarker)
 {
   const Room room;
@@ -546,6 +561,7 @@ TEST(ScatteringOptions, AreCheckedOneByOne)
   expect(fault([](auto& o) { o.NumberOfEdgeSamples = most; }), "1..1024");
   expect(fault([](auto& o) { o.MaximumSamples = 0; }), "MaximumSamples");
   expect(fault([](auto& o) { o.IntensityThreshold = std::nan(""); }), "IntensityThreshold");
+  expect(fault([](auto& o) { o.ShareNearEnds = 1.0; }), "ShareNearEnds");
   expect(fault([](auto& o) { o.RelativeErrorGoal = -1.0; }), "RelativeErrorGoal");
   expect(fault([](auto& o) { o.Reflectance = 1.1; }), "Reflectance");
   expect(fault([](auto& o) { o.Mode = static_cast<ScatteringMode>(6); }), "Mode");
