@@ -176,7 +176,7 @@ int main(int argc, char* argv[])
   commandLine.AddPositive("--seeds", setting.Seeds, "images of Guided");
   commandLine.AddPositive("--light-radius", setting.LampRadius, "of the disc lamp");
   commandLine.Add("--set", setting.Cones, "cones: bounds, conservative or paper");
-  app.add_option("--share", setting.Shares, "of the samples near ends, even ones first")->check(CLI::Range(0.0, 0.99));
+  commandLine.Add("--share", setting.Shares, "of the samples near ends, below 1; even ones first");
   if (const std::optional<int> status = commandLine.Read(argc, argv))
   {
     return *status;
