@@ -21,6 +21,9 @@ set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 # The same bytes every time: no contraction of a*b+c that would depend on the inlining.
 add_compile_options("$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-ffp-contract=off>")
 add_compile_options("$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-Wall;-Wextra>")
+if (SHADOWCONES_WARNINGS_AS_ERRORS)
+  add_compile_options("$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-Werror>")
+endif ()
 # Messages name the files of this project and not the folder that they were built in.
 foreach (folder IN ITEMS "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}")
   add_compile_options("$<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang>:-ffile-prefix-map=${folder}/=>")

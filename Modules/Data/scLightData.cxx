@@ -548,18 +548,25 @@ bool ReadLight(vtkPolyData* input, Light& light, std::string& error, std::string
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> ReadWavelengths(vtkDataObject* data, std::size_t count)
+bool ReadWavelengths(vtkDataObject* data, std::size_t count, std::vector<double>& wavelengths, std::string& error)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray("LightWavelengths");
-  std::vector<double> wavelengths = DefaultWavelengths(static_cast<int>(count));
-  if (array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == static_cast<vtkIdType>(count))
+  wavelengths = DefaultWavelengths(static_cast<int>(count));
+  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() != static_cast<vtkIdType>(count))
   {
-    for (std::size_t k = 0; k < count; ++k)
+    return true;
+  }
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    wavelengths[k] = array->GetComponent(static_cast<vtkIdType>(k), 0);
+    if (!(wavelengths[k] > 0.0) || FaultOf(wavelengths[k]))
     {
-      wavelengths[k] = array->GetComponent(static_cast<vtkIdType>(k), 0);
+      error = Sentence("The field array \"LightWavelengths\" holds ", wavelengths[k],
+        ": wavelengths are numbers above 0, in nanometres.");
+      return false;
     }
   }
-  return wavelengths;
+  return true;
 }
 
 } // namespace shadowcones

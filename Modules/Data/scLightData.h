@@ -68,7 +68,9 @@ SHADOWCONESDATA_EXPORT bool ReadLight(
   vtkPolyData* input, Light& light, std::string& error, std::string* warning = nullptr);
 
 /// The wavelengths in nm where a light or an image says so ("LightWavelengths"), else the default ones for so many samples.
-SHADOWCONESDATA_EXPORT std::vector<double> ReadWavelengths(vtkDataObject* data, std::size_t count);
+/// @return false, with a sentence in @p error, where one is not a number above 0.
+SHADOWCONESDATA_EXPORT bool ReadWavelengths(
+  vtkDataObject* data, std::size_t count, std::vector<double>& wavelengths, std::string& error);
 
 } // namespace shadowcones
 

@@ -78,7 +78,11 @@ bool AddLight(vtkDataObject* object, SceneLights& lights, std::string& error)
   {
     lights.Warnings.push_back(std::move(warning));
   }
-  const std::vector<double> wavelengths = ReadWavelengths(data, light.Spectrum.size());
+  std::vector<double> wavelengths;
+  if (!ReadWavelengths(data, light.Spectrum.size(), wavelengths, error))
+  {
+    return false;
+  }
   if (id == 0)
   {
     lights.Wavelengths = wavelengths;

@@ -94,8 +94,13 @@ int vtkToneMapRadiance::RequestData(
     return 0;
   }
 
-  const std::vector<double> wavelengths =
-    shadowcones::ReadWavelengths(input, static_cast<std::size_t>(radiance->GetNumberOfComponents()));
+  std::vector<double> wavelengths;
+  if (!shadowcones::ReadWavelengths(
+        input, static_cast<std::size_t>(radiance->GetNumberOfComponents()), wavelengths, error))
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
   double exposure = this->Exposure;
   try
   {

@@ -95,7 +95,12 @@ public:
     {
       return false;
     }
+    const std::size_t begin = this->Reader.Where();
     this->ReadShape(lamp);
+    if (lamp.MeshFile.find('"') != std::string::npos && lamp.MeshFile.find('\'') != std::string::npos)
+    {
+      WordReader::Expect("the name of a mesh file with quotation marks of one kind at most", begin); // or TextOf has none left
+    }
     this->Shape = lamp.Shape;
     for (this->Reader.SkipSpace(); !this->Reader.AtEnd(); this->Reader.SkipSpace())
     {
@@ -231,6 +236,10 @@ private:
       }
       (lamp.Shape == LightShape::Sun ? lamp.AngularDiameter : lamp.Radius) =
         lamp.Shape == LightShape::Sun ? diameter->Values[0] : 0.5 * diameter->Values[0];
+      if (!(lamp.Radius > 0.0))
+      {
+        WordReader::Expect("a length above 0", diameter->Position); // half of the smallest number is 0
+      }
     }
     if (const Clause* size = this->Find("size"))
     {
@@ -312,6 +321,10 @@ private:
       {
         lamp.Total = std::string(word) == "intensity" ? 4.0 * Pi * total->Values[0] : total->Values[0];
         lamp.Unit = total->Unit;
+        if (!std::isfinite(lamp.Total))
+        {
+          WordReader::Expect("a number that is not that large", total->Position);
+        }
       }
     }
     lamp.SaysHowMuch = lamp.Unit != LightUnit::None || this->Find("radiance");

@@ -172,6 +172,17 @@ inline void AddArrays(Bytes& bytes, const std::vector<ArrayPlan>& plans, vtkIdTy
   }
 }
 
+/// The field data that describe lights.
+inline const std::vector<ArrayPlan>& LightPlans()
+{
+  static const std::vector<ArrayPlan> plans = { { "LightShape", VTK_INT, 1, Values::Id },
+    { "LightCenter", VTK_DOUBLE, 3, Values::Any }, { "LightNormal", VTK_DOUBLE, 3, Values::Unit },
+    { "LightAxes", VTK_DOUBLE, 6, Values::Any }, { "LightRadius", VTK_DOUBLE, 1, Values::Positive },
+    { "LightSpectrum", VTK_DOUBLE, 2, Values::Positive }, { "LightWavelengths", VTK_DOUBLE, 2, Values::Positive },
+    { "LightFingerprint", VTK_UNSIGNED_LONG_LONG, 1, Values::Any } };
+  return plans;
+}
+
 } // namespace fuzz
 
 #endif

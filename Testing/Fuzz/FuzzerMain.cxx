@@ -25,7 +25,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***)
   }
   if (!chosen)
   {
-    std::fprintf(stderr, "SHADOWCONES_HARNESS names none of the harnesses of Testing/Fuzz/Harnesses.h\n");
+    std::fprintf(stderr, "SHADOWCONES_HARNESS names no harness of this program\n");
     std::exit(2);
   }
   // Small data: threads would cost more than they save.

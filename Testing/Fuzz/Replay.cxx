@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every input of the corpus once more, and bytes at random after them: no clang needed.
-//   fuzz-replay CORPUS [RUNS]    all harnesses, each with its text of CORPUS
-//   fuzz-replay --one NAME FILE  one input
+//   fuzz-replay CORPUS [RUNS [HARNESS]...]  all harnesses or those named, each with its text of CORPUS
+//   fuzz-replay --one HARNESS FILE          one input
 #include "Harnesses.h"
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -121,23 +122,28 @@ int main(int argc, char** argv)
   {
     std::signal(number, KeepInput);
   }
-  const std::string first = argc > 1 ? argv[1] : "";
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  const bool one = words.size() == 3 && words[0] == "--one";
+  int run = 0;
   for (const fuzz::Harness& harness : fuzz::Harnesses())
   {
-    if (first == "--one" && argc == 4 && std::string(argv[2]) == harness.Name)
+    const auto names = words.size() > 2 ? words.begin() + (one ? 1 : 2) : words.end();
+    const bool named = std::find(names, words.end(), harness.Name) != words.end();
+    if (one && words[1] == harness.Name)
     {
-      const Input input = Read(argv[3]);
+      const Input input = Read(words[2]);
       harness.Run(input.data(), input.size());
-      return 0;
+      ++run;
     }
-    if (!first.empty() && first != "--one")
+    else if (!one && !words.empty() && (named || words.size() < 3))
     {
-      Replay(harness, first, argc > 2 ? std::atoi(argv[2]) : 0);
+      Replay(harness, words[0], words.size() > 1 ? std::atoi(words[1].c_str()) : 0);
+      ++run;
     }
   }
-  if (first.empty() || first == "--one")
+  if (run == 0)
   {
-    std::fprintf(stderr, "fuzz-replay CORPUS [RUNS], or fuzz-replay --one NAME FILE\n");
+    std::fprintf(stderr, "fuzz-replay CORPUS [RUNS [HARNESS]...], or fuzz-replay --one HARNESS FILE\n");
     return 2;
   }
   return 0;

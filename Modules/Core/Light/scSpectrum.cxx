@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shadowcones
 {
@@ -70,7 +71,9 @@ std::array<std::vector<double>, 3> SpectrumToLinearSrgb(const std::vector<double
     for (int axis = 0; axis < 3; ++axis)
     {
       // Scaling each of X, Y, Z takes equal energy to D65, for any choice of wavelengths, even one alone.
-      const double scale = sum[axis] > 0.0 ? xyzToSrgb[c][axis] * whiteD65[axis] / (white * sum[axis]) : 0.0;
+      // What is as far from being seen as numbers reach has no colour: its scale would be infinite.
+      const double scale =
+        sum[axis] >= std::numeric_limits<double>::min() ? xyzToSrgb[c][axis] * whiteD65[axis] / (white * sum[axis]) : 0.0;
       for (std::size_t k = 0; k < count; ++k)
       {
         matrix[c][k] += scale * matching[k][axis];

@@ -3,6 +3,7 @@
 #include "scConeData.h"
 #include "scLightData.h"
 #include "scSceneLights.h"
+#include "scSentence.h"
 
 #include "Messages.h"
 #include "scVisibilityData.h"
@@ -256,6 +257,12 @@ TEST(SceneLights, FaultsNameTheLights)
   vtkNew<vtkUnstructuredGrid> grid;
   ReadPort({ seven, grid }, error);
   EXPECT_SAYS(error, "Light 1 is a vtkUnstructuredGrid");
+  for (const double value : { std::nan(""), HUGE_VAL, 0.0, -550.0 })
+  {
+    three->GetFieldData()->GetArray("LightWavelengths")->SetComponent(1, 0, value);
+    ReadPort({ three }, error);
+    EXPECT_SAYS(error, "The field array \"LightWavelengths\" holds " + Sentence(value));
+  }
 }
 
 TEST(SceneLights, FieldDataHaveATupleALight)

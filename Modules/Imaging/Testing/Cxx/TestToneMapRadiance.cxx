@@ -179,6 +179,11 @@ TEST_F(ToneMapRadiance, FaultsHaveTheirMessages)
   }
   messages.Errors.clear();
   this->Filter->SetExposure(1.0);
+  image = Ramp(3, 3);
+  shadowcones::AddDoubleArray(image->GetFieldData(), "LightWavelengths", 1, { std::nan("") });
+  EXPECT_EQ(this->Map(image)->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_NE(messages.Errors.find("\"LightWavelengths\" holds nan"), std::string::npos) << messages.Errors;
+  messages.Errors.clear();
   this->Filter->SetToneCurve(3);
   this->Map(Ramp(3, 3));
   EXPECT_NE(messages.Errors.find("ToneCurve is 3: it must be Linear (0) or Filmic (1)"), std::string::npos)

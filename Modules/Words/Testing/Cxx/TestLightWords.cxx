@@ -186,6 +186,9 @@ TEST(LightWords, FaultsNameColumnFoundAndExpected)
     { "sphere:0,0,0 radius 1 resolution 2.5", 34, "a whole number from 3 to 4096" },
     { "mesh:\"lamp.stl", 6, "a second quotation mark" },
     { "mesh:", 6, "the name of a mesh file" },
+    { "mesh:it's5\".stl", 1, "quotation marks of one kind at most" },
+    { "sphere:0,0,0 diameter 4e-324", 23, "a length above 0" },
+    { "point:0,0,0 intensity 1e308 cd", 23, "a number that is not that large" },
     { "point:0,0,0 caf\xC3\xA9 1", 13, "found \"caf??\"" },
   };
   vtkNew<vtkLightWords> words;

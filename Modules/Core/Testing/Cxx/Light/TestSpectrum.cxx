@@ -81,6 +81,21 @@ TEST(Spectrum, EqualEnergyIsWhiteForAnyNumberOfSamples)
   }
 }
 
+TEST(Spectrum, WavesThatNobodySeesHaveNoColour)
+{
+  // exp(-t^2 / 2) passes through the smallest numbers that there are on its way to 0.
+  for (double wavelength = 1.0; wavelength < 3000.0; wavelength += 0.25)
+  {
+    double sum = 0.0;
+    for (const auto& row : SpectrumToLinearSrgb({ wavelength }))
+    {
+      ASSERT_TRUE(std::isfinite(row.front())) << wavelength << " nm";
+      sum += std::fabs(row.front());
+    }
+    EXPECT_TRUE(wavelength < 2500.0 || sum == 0.0) << wavelength << " nm";
+  }
+}
+
 TEST(Spectrum, ShortWavesAreBlueAndLongOnesRed)
 {
   const auto matrix = SpectrumToLinearSrgb(DefaultWavelengths());
