@@ -117,8 +117,8 @@ def curves(profiles, size):
     for side in (-0.5, 0.5):
         drawing.dashes((side * WIDTH, 0.0), (side * WIDTH, 2.1), (0.5, 0.5, 0.5), width=1.0)
     for value in (0, 1):
-        drawing.say(str(value), (-1.42, 2.0 * value - 0.08))
-    drawing.say("across the edge", (0.0, -0.24))
+        drawing.say(str(value), (-1.42, 2.0 * value - 0.08), size=1.4)
+    drawing.say("across the edge", (0.0, -0.3), size=1.4)
     return drawing.picture((-1.55, -0.4), (1.45, 2.6), 3 * size)
 
 
@@ -129,9 +129,9 @@ def shown(values):
 
 
 def main():
-    options = common.parser(__doc__, size=128, vectors=5800)
+    options = common.parser(__doc__, size=112, vectors=5800)
     options.add_argument("--photons", type=int, default=400000, help="photons of a map (default: 400000)")
-    options.add_argument("--steps", type=int, default=48, help="of the march (default: 48)")
+    options.add_argument("--steps", type=int, default=96, help="of the march (default: 96)")
     options.add_argument("--points", type=int, default=64, help="points along each axis of a density (default: 64)")
     arguments = common.parse(options)
     light = sc.vtkAreaLightSource()
