@@ -12,6 +12,9 @@
 namespace shadowcones
 {
 
+namespace
+{
+/// The values of a coefficient at every wavelength. @return false, with a sentence, where one is not valid or not used.
 bool ReadCoefficient(const char* name, const SpectrumSamples& samples, double all, std::size_t wavelengths,
   std::vector<double>& values, std::string& error)
 {
@@ -28,6 +31,17 @@ bool ReadCoefficient(const char* name, const SpectrumSamples& samples, double al
     }
   }
   return true;
+}
+} // anonymous namespace
+
+bool ReadParticles(
+  const ParticleSettings& settings, std::size_t wavelengths, Medium& medium, std::string& error)
+{
+  const double(&lobes)[3] = settings.PhaseLobes;
+  medium.Phase = { static_cast<PhaseFunctionKind>(settings.PhaseFunction), { lobes[0], lobes[1], lobes[2] },
+    settings.PhaseAsymmetry };
+  return ReadCoefficient("SigmaS", settings.SigmaSSpectrum, settings.SigmaS, wavelengths, medium.SigmaS, error) &&
+    ReadCoefficient("SigmaA", settings.SigmaASpectrum, settings.SigmaA, wavelengths, medium.SigmaA, error);
 }
 
 std::string CheckPhase(int kind, const double lobes[3], double asymmetry)

@@ -248,7 +248,7 @@ std::shared_ptr<const PreparedPhotons> PreparePhotons(PreparedUser& user, vtkInf
       auto made = std::make_shared<PreparedPhotons>();
       return ReadPhotonMaps(port, wavelengths, photons, error) &&
           PreparePhotonEstimates(
-            std::move(photons[0]), std::move(photons[1]), neighbours, monitor, made->Estimates)
+            std::move(photons[0]), std::move(photons[1]), neighbours, 1, monitor, made->Estimates)
         ? made
         : nullptr;
     });

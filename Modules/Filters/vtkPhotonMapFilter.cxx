@@ -88,27 +88,7 @@ scDefineLightPort(vtkPhotonMapFilter, lightPort);
 scDefineInputPort(vtkPhotonMapFilter, Density, densityPort);
 scDefineSpectrum(vtkPhotonMapFilter, SigmaS);
 scDefineSpectrum(vtkPhotonMapFilter, SigmaA);
-
-void vtkPhotonMapFilter::SetPhasePreset(const SchlickLobes& lobes)
-{
-  this->SetPhaseFunctionToBlasiSchlick();
-  this->SetPhaseLobes(lobes.Weight, lobes.K1, lobes.K2);
-}
-
-void vtkPhotonMapFilter::SetPhasePresetToRayleigh()
-{
-  this->SetPhasePreset(SchlickRayleigh());
-}
-
-void vtkPhotonMapFilter::SetPhasePresetToHazyMie()
-{
-  this->SetPhasePreset(SchlickHazyMie());
-}
-
-void vtkPhotonMapFilter::SetPhasePresetToMurkyMie()
-{
-  this->SetPhasePreset(SchlickMurkyMie());
-}
+scDefinePhasePresets(vtkPhotonMapFilter);
 
 int vtkPhotonMapFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -146,12 +126,10 @@ std::string vtkPhotonMapFilter::CheckParameters() const
 bool vtkPhotonMapFilter::ReadMedium(PhotonInputs& read, std::string& error) const
 {
   shadowcones::Medium& medium = read.Medium;
-  medium.Phase = { static_cast<PhaseFunctionKind>(this->PhaseFunction),
-    { this->PhaseLobes[0], this->PhaseLobes[1], this->PhaseLobes[2] }, this->PhaseAsymmetry };
   medium.Density = read.Density ? &read.Density->Density : nullptr;
-  const std::size_t wavelengths = read.Lights.Wavelengths.size();
-  if (!ReadCoefficient("SigmaS", this->SigmaSSpectrum, this->SigmaS, wavelengths, medium.SigmaS, error) ||
-    !ReadCoefficient("SigmaA", this->SigmaASpectrum, this->SigmaA, wavelengths, medium.SigmaA, error))
+  const ParticleSettings particles{ this->SigmaSSpectrum, this->SigmaS, this->SigmaASpectrum, this->SigmaA,
+    this->PhaseFunction, this->PhaseLobes, this->PhaseAsymmetry };
+  if (!ReadParticles(particles, read.Lights.Wavelengths.size(), medium, error))
   {
     return false;
   }

@@ -19,6 +19,7 @@ constexpr double fewPixels = 4096.0;
 /// A finer picture than this would cost too large a share of the image itself.
 constexpr int finestScale = 4;
 constexpr double looseGoal = 0.05;
+constexpr vtkIdType fewPhotons = 20000;
 
 /// Where pixels of the whole lie between those of a coarse picture along one axis.
 struct Between
@@ -153,6 +154,8 @@ bool RenderCoarse(ImageScene& scene, int scale, const Monitor& monitor, Scatteri
   options.Height = (whole.Height + scale - 1) / scale;
   options.RelativeErrorGoal = std::max(whole.RelativeErrorGoal, looseGoal);
   options.NumberOfEdgeSamples = 1;
+  options.NumberOfPhotonPasses = std::min(whole.NumberOfPhotonPasses, 1);
+  options.NumberOfPhotonsPerPass = std::min(whole.NumberOfPhotonsPerPass, fewPhotons);
   const std::array<int, 4> extent{ 0, options.Width - 1, 0, options.Height - 1 };
   constexpr double shareOfRendering = 0.95; // of the progress
   std::vector<ScatteringImage> images;

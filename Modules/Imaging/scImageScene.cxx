@@ -291,6 +291,10 @@ bool ReadPhotons(
   {
     lights.push_back(FingerprintOf(light));
   }
+  scene.Said.Add(scene.Options.NumberOfPhotonPasses > 0
+      ? "NumberOfPhotonPasses is not used: photon maps are connected on input port 5, and their light is taken. Call "
+        "RemoveAllPhotonMaps() to trace photons in passes."
+      : std::string());
   ComparePhotonMaps(inputs.PhotonMaps, scene.Medium, lights, scene.CastersFingerprints, scene.Said);
   return true;
 }

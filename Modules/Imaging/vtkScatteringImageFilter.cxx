@@ -82,6 +82,7 @@ scDefineInputPort(vtkScatteringImageFilter, PhotonMap, photonMapPort);
 scDefinePreparedScene(vtkScatteringImageFilter);
 scDefineSpectrum(vtkScatteringImageFilter, SigmaS);
 scDefineSpectrum(vtkScatteringImageFilter, SigmaA);
+scDefinePhasePresets(vtkScatteringImageFilter);
 
 void vtkScatteringImageFilter::AddPhotonMapConnection(vtkAlgorithmOutput* photons)
 {
@@ -96,27 +97,6 @@ void vtkScatteringImageFilter::AddPhotonMapData(vtkDataObject* photons)
 void vtkScatteringImageFilter::RemoveAllPhotonMaps()
 {
   this->RemoveAllInputConnections(photonMapPort);
-}
-
-void vtkScatteringImageFilter::SetPhasePreset(const SchlickLobes& lobes)
-{
-  this->SetPhaseFunctionToBlasiSchlick();
-  this->SetPhaseLobes(lobes.Weight, lobes.K1, lobes.K2);
-}
-
-void vtkScatteringImageFilter::SetPhasePresetToRayleigh()
-{
-  this->SetPhasePreset(SchlickRayleigh());
-}
-
-void vtkScatteringImageFilter::SetPhasePresetToHazyMie()
-{
-  this->SetPhasePreset(SchlickHazyMie());
-}
-
-void vtkScatteringImageFilter::SetPhasePresetToMurkyMie()
-{
-  this->SetPhasePreset(SchlickMurkyMie());
 }
 
 void vtkScatteringImageFilter::Modified()
@@ -220,6 +200,9 @@ std::string vtkScatteringImageFilter::CheckParameters() const
     InRange("NumberOfEdgeSamples", this->NumberOfEdgeSamples, 1, 1024),
     { "Reflectance", this->Reflectance, this->Reflectance >= 0.0 && this->Reflectance <= 1.0, "in 0..1" },
     { "PhotonNeighbors", this->PhotonNeighbors * 1.0, this->PhotonNeighbors >= 0, "0 (automatic) or above" },
+    { "NumberOfPhotonPasses", this->NumberOfPhotonPasses * 1.0, this->NumberOfPhotonPasses >= 0, "0 (no photons) or above" },
+    { "NumberOfPhotonsPerPass", static_cast<double>(this->NumberOfPhotonsPerPass), this->NumberOfPhotonsPerPass >= 0,
+      "0 or above" },
     { "ConeLength", this->ConeLength, this->ConeLength >= 0.0, "0 (not cut) or above" },
     OneOf("ToneCurve", this->ToneCurve, { "Linear", "Filmic" }),
     { "Exposure", this->Exposure, isBetween(this->Exposure, 0.0, HUGE_VAL), "above 0 and finite" },
@@ -249,6 +232,9 @@ void vtkScatteringImageFilter::SetOptions(const int extent[6], ImageScene& scene
   options.LightVisible = this->LightVisible;
   options.Reflectance = this->Reflectance;
   options.Seed = static_cast<std::uint64_t>(this->Seed);
+  options.NumberOfPhotonPasses = this->NumberOfPhotonPasses;
+  options.NumberOfPhotonsPerPass = this->NumberOfPhotonsPerPass;
+  options.PhotonNeighbours = this->PhotonNeighbors;
   std::copy_n(this->SoftDimensions, 3, scene.Soft.Dimensions.begin());
   scene.Soft.NumberOfLightSamples = this->NumberOfSoftLightSamples;
   scene.ConeLength = this->ConeLength;
@@ -259,19 +245,14 @@ bool vtkScatteringImageFilter::ReadScene(vtkInformationVector** inputs, ImageSce
   ImageInputs data{ vtkDataObject::GetData(inputs[meshPort]), inputs[lightPort],
     vtkPolyData::GetData(inputs[coneSetPort]), vtkImageData::GetData(inputs[visibilityVolumePort]),
     vtkImageData::GetData(inputs[densityPort]), nullptr, inputs[photonMapPort] };
-  shadowcones::Medium& medium = scene.Medium;
-  medium.Phase = { static_cast<PhaseFunctionKind>(this->PhaseFunction),
-    { this->PhaseLobes[0], this->PhaseLobes[1], this->PhaseLobes[2] }, this->PhaseAsymmetry };
-  const auto readCoefficients = [&]
-  {
-    const std::size_t wavelengths = scene.Lights.Wavelengths.size();
-    return ReadCoefficient("SigmaS", this->SigmaSSpectrum, this->SigmaS, wavelengths, medium.SigmaS, error) &&
-      ReadCoefficient("SigmaA", this->SigmaASpectrum, this->SigmaA, wavelengths, medium.SigmaA, error);
-  };
+  const ParticleSettings particles{ this->SigmaSSpectrum, this->SigmaS, this->SigmaASpectrum, this->SigmaA,
+    this->PhaseFunction, this->PhaseLobes, this->PhaseAsymmetry };
+  const auto readParticles = [&]
+  { return ReadParticles(particles, scene.Lights.Wavelengths.size(), scene.Medium, error); };
   const Monitor watch = MonitorOf(this).Part(0.0, shareOfPhotons);
   const auto readPhotons = [&] { return ReadPhotons(data, this->PhotonNeighbors, watch, scene, error); };
   return ChooseDensity(this, densityPort, data.Density, data.DensityValues, error) &&
-    CheckInputs(data, scene.Options.Mode, error) && ReadInputs(data, scene, error) && readCoefficients() &&
+    CheckInputs(data, scene.Options.Mode, error) && ReadInputs(data, scene, error) && readParticles() &&
     FindMediumBounds(this->MediumBounds, scene, error) && readPhotons() &&
     ChooseCamera(this->Camera, this->Resolution, scene, error);
 }
@@ -443,6 +424,8 @@ void vtkScatteringImageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightVisible: " << (this->LightVisible ? "On" : "Off") << "\n";
   os << indent << "Reflectance: " << this->Reflectance << "\n";
   os << indent << "PhotonNeighbors: " << this->PhotonNeighbors << "\n";
+  os << indent << "NumberOfPhotonPasses: " << this->NumberOfPhotonPasses << "\n";
+  os << indent << "NumberOfPhotonsPerPass: " << this->NumberOfPhotonsPerPass << "\n";
   os << indent << "ConeLength: " << this->ConeLength << "\n";
   os << indent << "AutoExposure: " << (this->AutoExposure ? "On" : "Off") << "\n";
   os << indent << "Exposure: " << this->Exposure << "\n";

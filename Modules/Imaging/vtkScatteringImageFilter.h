@@ -32,7 +32,8 @@
  * dark inside the cones of *other* occluders than their own; in Soft their shadow is that of the grid one cell above.
  * That is single scattering and direct light. With photon maps on port 5 light that took more scatterings and reflections is
  * added, in every mode: in the medium by the beam radiance estimate (Jarosz, Zwicker and Jensen, Eurographics 2008), on
- * surfaces by the nearest photons. Its noise and blur are those of the maps: see PhotonNeighbors.
+ * surfaces by the nearest photons. Its noise and blur are those of the maps: see PhotonNeighbors. Without maps
+ * NumberOfPhotonPasses traces photons here, pass after pass.
  *
  * Input ports:
  * - 0, vtkPolyData: the mesh that casts and receives shadows; polygons and strips. Cell data "OccluderId" (int, 1
@@ -79,10 +80,11 @@
  *   Soft, whose shadows of surfaces have an unknown error. 0 where there is no surface, or none that faces a light; 1
  *   where SurfaceRadiance is 0 because no sample saw any light. Of several lights as "RelativeError".
  * - "SampleCount" (int): light samples taken for the medium term; in Volume and Soft places of the grid read.
- * - With photon maps "MultipleScattering" (float, one component a wavelength sample): what the medium scatters towards the camera
+ * - With photon maps or passes "MultipleScattering" (float, one component a wavelength sample): what the medium scatters towards the camera
  *   of light that was scattered or reflected before; "IndirectSurface" (float, one component a wavelength sample): what the
  *   first surface reflects of such light, as seen through the medium; "PhotonError" (float): one standard error of the two over
- *   their sum, mean over wavelengths, of the photons' noise as if they were independent; their blur is not in it.
+ *   their sum, mean over wavelengths, of the photons' noise: from the spread between passes, else as if photons were independent.
+ *   Their blur is not in it.
  * - "RGB" (unsigned char, 3 components, the active scalars): Radiance times the exposure through ToneCurve as sRGB; equal
  *   energy is white, and what is negative within its error black.
  *
@@ -455,12 +457,32 @@ public:
 
   ///@{
   /**
-   * Neighbours of a photon within its radius: fewer are sharper, more are smoother. Default: 0, which takes 64 in the medium
-   * and 0.1 N^(2/3) of N photons (32 to 4096) on surfaces, so that noise and blur shrink together as maps grow. Valid: 0 and
-   * above.
+   * Neighbours of a photon within its radius: fewer are sharper, more are smoother. Default: 0, which takes 0.2 N^(1/2) of N
+   * photons in the medium (8 to 4096) and 0.1 N^(2/3) on surfaces (32 to 4096), so that noise and blur shrink together, with N^(-1/3),
+   * as photons become more. Valid: 0 and above.
    */
   vtkSetMacro(PhotonNeighbors, int);
   vtkGetMacro(PhotonNeighbors, int); ///< Neighbours of a photon within its radius; 0: automatic.
+  ///@}
+
+  ///@{
+  /**
+   * Trace photons here instead of taking photon maps: in so many passes of NumberOfPhotonsPerPass each, every one anew and
+   * dropped when it has been asked. The mean of all passes is what one map of all their photons says, in the memory of one pass,
+   * and "PhotonError" comes from the spread between them. More passes converge: the radius shrinks as photons become more.
+   * Each part of an image traces all photons. Not used where photon maps are connected, with a warning. Default: 0, no photons.
+   * Valid: 0 and above.
+   */
+  vtkSetMacro(NumberOfPhotonPasses, int);
+  vtkGetMacro(NumberOfPhotonPasses, int); ///< Passes in which photons are traced here; 0: none.
+  ///@}
+
+  ///@{
+  /**
+   * Photons that leave the lights in a pass, all together. Default: 100000. Valid: 0 and above.
+   */
+  vtkSetMacro(NumberOfPhotonsPerPass, vtkIdType);
+  vtkGetMacro(NumberOfPhotonsPerPass, vtkIdType); ///< Photons that leave the lights in a pass, all together.
   ///@}
 
   ///@{
@@ -610,6 +632,8 @@ private:
   bool LightVisible = true;
   double Reflectance = 0.5;
   int PhotonNeighbors = 0;
+  int NumberOfPhotonPasses = 0;
+  vtkIdType NumberOfPhotonsPerPass = 100000;
   double ConeLength = 0.0;
   bool AutoExposure = true;
   double Exposure = 1.0;

@@ -141,6 +141,53 @@ TEST(MultipleScattering, WhiteFurnace)
   }
 }
 
+// Passes of fresh photons converge to the white furnace, and the spread between them tells how far they are from it.
+TEST(MultipleScattering, PassesConvergeAndTellTheirError)
+{
+  Furnace furnace(1.0, 1.0);
+  const auto lamps = LampsOfCube(1.0, 1.0);
+  for (const auto& lamp : lamps)
+  {
+    furnace.AddLamp(lamp);
+  }
+  furnace.Image->RemoveAllPhotonMaps();
+  furnace.Image->SetNumberOfPhotonsPerPass(2000);
+  vtkCamera* camera = furnace.Image->GetCamera();
+  camera->SetPosition(4.0, -1.4, 1.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.7);
+  std::vector<double> found;
+  std::vector<double> told;
+  for (const int passes : { 1, 4, 16 })
+  {
+    furnace.Image->SetNumberOfPhotonPasses(passes);
+    const std::vector<double> radiance = furnace.Values("Radiance");
+    const std::vector<double> multiple = furnace.Values("MultipleScattering");
+    const std::vector<double> errors = furnace.Values("PhotonError");
+    ASSERT_EQ(multiple.size(), static_cast<std::size_t>(imageSide * imageSide));
+    double squares = 0.0;
+    double squaresTold = 0.0;
+    for (std::size_t i = 0; i < radiance.size(); ++i)
+    {
+      squares += (radiance[i] - 1.0) * (radiance[i] - 1.0);
+      squaresTold += errors[i] * multiple[i] * errors[i] * multiple[i];
+    }
+    found.push_back(std::sqrt(squares / static_cast<double>(radiance.size())));
+    told.push_back(std::sqrt(squaresTold / static_cast<double>(radiance.size())));
+    RecordProperty("found" + std::to_string(passes), std::to_string(found.back()));
+    RecordProperty("told" + std::to_string(passes), std::to_string(told.back()));
+  }
+  // 16 times the photons: between 16^(-1/3) and 16^(-1/2), with room for what is random.
+  EXPECT_LT(found[2] / found[0], 0.5);
+  EXPECT_GT(found[2] / found[0], 0.15);
+  for (const std::size_t several : { 1, 2 })
+  {
+    EXPECT_GT(told[several] / found[several], 0.7);
+    EXPECT_LT(told[several] / found[several], 1.5);
+  }
+}
+
 // In a diffuse sphere with a lamp at its centre every place gets the same light: a geometric series of its reflectance.
 TEST(MultipleScattering, WhiteSphereIsAGeometricSeries)
 {

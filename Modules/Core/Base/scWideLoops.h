@@ -16,4 +16,11 @@
 #define SHADOWCONES_WIDE
 #endif
 
+/// Before a loop whose arrays do not overlap, where there are so many that a compiler would not look.
+#if defined(__GNUC__) && !defined(__clang__)
+#define SHADOWCONES_APART _Pragma("GCC ivdep")
+#else
+#define SHADOWCONES_APART
+#endif
+
 #endif

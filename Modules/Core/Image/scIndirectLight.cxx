@@ -2,7 +2,6 @@
 #include "scIndirectLight.h"
 
 #include "scMediumInterval.h"
-#include "scPhaseFunction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,105 +10,142 @@ namespace shadowcones
 {
 
 IndirectLight::IndirectLight(const ScatteringScene& scene, const ScatteringOptions& options,
-  const ExtinctionGroups& groups, const PrimaryHits& hits, ScatteringImage& image)
+  const ExtinctionGroups& groups, const IndirectPass& pass)
   : Scene(scene)
   , Options(options)
-  , Groups(groups)
-  , Hits(hits)
-  , Image(image)
+  , Pass(pass)
   , Points(scene, options, groups)
   , OpticalDepth(scene.Medium)
+  , InMedium(scene.Medium)
   , Medium(groups.GroupOf.size())
   , Surface(groups.GroupOf.size())
-  , Transmittance(groups.SigmaT.size())
 {
 }
 
-void IndirectLight::Add(int i, int j)
+void IndirectLight::Add(const TileRange& tile, const PrimaryHits& hits, ScatteringImage& image)
 {
+  this->InMedium.Clear(this->Pass.Photons.Volume.Origin());
+  this->OnSurfaces.Clear();
+  this->Rays.clear();
+  this->Throughputs.clear();
+  for (int j = tile.J0; j <= tile.J1; ++j)
+  {
+    for (int i = tile.I0; i <= tile.I1; ++i)
+    {
+      hits.RaysOf(i, j, this->PixelRays);
+      for (const PixelRay& ray : this->PixelRays)
+      {
+        this->Rays.push_back({ ray, image.IndexOf(i, j) });
+        this->AddRay(this->Rays.back());
+      }
+    }
+  }
+  this->Pass.Photons.Volume.Gather(this->InMedium);
+  this->Pass.Photons.Surface.Estimate(this->OnSurfaces);
+  for (std::size_t begin = 0; begin < this->Rays.size();)
+  {
+    std::size_t end = begin;
+    while (end < this->Rays.size() && this->Rays[end].Pixel == this->Rays[begin].Pixel)
+    {
+      ++end;
+    }
+    this->AddRaysOf(this->Rays[begin].Pixel, begin, end, image);
+    begin = end;
+  }
+}
+
+/// To the packets.
+void IndirectLight::AddRay(TileRay& ray)
+{
+  const PixelRay& part = ray.Ray;
+  const OccluderScene& occluders = this->Scene.Occluders;
+  const MediumInterval interval = MediumIntervalOf(this->Scene.Medium.Bounds, occluders, part.Line, part.Hit);
+  if (!this->Pass.Photons.Volume.Empty() && interval.Crosses)
+  {
+    // Photons lie inside the medium: beyond where the ray leaves it there are none but those of a slanted border.
+    const bool ends = part.Hit.HasSurface() && interval.End >= part.Hit.T;
+    this->OpticalDepth.SetRay(part.Line.Origin, part.Line.Direction, interval.Begin, interval.End);
+    ray.InMedium = this->InMedium.Count();
+    this->InMedium.Add(
+      { part.Line, interval, ends ? NormalTowards(occluders, part.Line, part.Hit) : Vector3{} },
+      [this](double t) { return this->OpticalDepth.Along(t); });
+  }
+  if (!this->Pass.Photons.Surface.Empty() && part.Hit.HasSurface() && this->Options.NumberOfSurfaceLightSamples > 0)
+  {
+    this->Points.Find(part.Line, part.Hit, this->Point);
+    ray.OnSurface = this->OnSurfaces.Count();
+    this->OnSurfaces.Add(this->Point.Position, this->Point.Facet);
+    for (const double throughput : this->Point.Throughput)
+    {
+      this->Throughputs.push_back(throughput);
+      ray.Throughput += throughput / static_cast<double>(this->Surface.size());
+    }
+  }
+}
+
+/// What the rays of a pixel have found.
+void IndirectLight::AddRaysOf(std::size_t pixel, std::size_t begin, std::size_t end, ScatteringImage& image)
+{
+  const std::size_t wavelengths = this->Medium.size();
   std::fill(this->Medium.begin(), this->Medium.end(), 0.0);
   std::fill(this->Surface.begin(), this->Surface.end(), 0.0);
-  this->Variance = 0.0;
-  this->Hits.RaysOf(i, j, this->Rays);
-  for (const PixelRay& part : this->Rays)
+  double variance = 0.0;
+  for (std::size_t r = begin; r < end; ++r)
   {
-    this->AddMedium(part);
-    this->AddSurface(part);
+    const TileRay& ray = this->Rays[r];
+    const double fraction = ray.Ray.Fraction;
+    for (std::size_t k = 0; k < wavelengths; ++k)
+    {
+      this->Medium[k] += ray.InMedium == none ? 0.0 : fraction * this->InMedium.Radiance(ray.InMedium, k);
+      this->Surface[k] += ray.OnSurface == none
+        ? 0.0
+        : fraction * this->Throughputs[ray.OnSurface * wavelengths + k] * this->OnSurfaces.Irradiance(ray.OnSurface, k);
+    }
+    // Rays of a pixel gather the same photons: their errors add up, at most.
+    variance += ray.InMedium == none ? 0.0 : fraction * this->InMedium.Variance(ray.InMedium);
+    variance += ray.OnSurface == none
+      ? 0.0
+      : fraction * ray.Throughput * ray.Throughput * this->OnSurfaces.Variance(ray.OnSurface);
   }
-  const std::size_t wavelengths = this->Medium.size();
-  const std::size_t index = this->Image.IndexOf(i, j);
+  const double share = 1.0 / this->Pass.Count;
   double mean = 0.0;
+  double before = 0.0;
   for (std::size_t k = 0; k < wavelengths; ++k)
   {
-    const std::size_t value = index * wavelengths + k;
-    this->Image.MultipleScattering[value] = static_cast<float>(this->Medium[k]);
-    this->Image.IndirectSurface[value] = static_cast<float>(this->Surface[k]);
-    this->Image.Radiance[value] += static_cast<float>(this->Medium[k] + this->Surface[k]);
+    float& medium = image.MultipleScattering[pixel * wavelengths + k];
+    float& surface = image.IndirectSurface[pixel * wavelengths + k];
+    before += static_cast<double>(medium) + static_cast<double>(surface);
+    medium += static_cast<float>(share * this->Medium[k]);
+    surface += static_cast<float>(share * this->Surface[k]);
     mean += (this->Medium[k] + this->Surface[k]) / static_cast<double>(wavelengths);
   }
-  this->Image.PhotonError[index] = mean > 0.0 ? static_cast<float>(std::sqrt(this->Variance) / mean) : 0.0f;
-}
-
-void IndirectLight::AddMedium(const PixelRay& part)
-{
-  const PhotonDiscs& discs = this->Scene.Photons->Volume;
-  const MediumInterval interval =
-    MediumIntervalOf(this->Scene.Medium.Bounds, this->Scene.Occluders, part.Line, part.Hit);
-  if (discs.Empty() || !interval.Crosses)
+  float& error = image.PhotonError[pixel];
+  if (this->Pass.Count == 1)
   {
+    error = static_cast<float>(variance);
     return;
   }
-  this->OpticalDepth.SetRay(part.Line.Origin, part.Line.Direction, interval.Begin, interval.End);
-  const StoredPhotons& photons = discs.Photons();
-  const double fraction = part.Fraction / static_cast<double>(this->Medium.size());
-  // Photons lie inside the medium: beyond where the ray leaves it there are none but those of a slanted border.
-  const bool endsOnSurface = part.Hit.HasSurface() && interval.End >= part.Hit.T;
-  const Vector3 facet = endsOnSurface ? NormalTowards(this->Scene.Occluders, part.Line, part.Hit) : Vector3{};
-  const Vector3 end = part.Line.Origin + interval.End * part.Line.Direction;
-  const double cosine = std::max(std::fabs(Dot(part.Line.Direction, facet)), 0.1);
-  const double slant = std::sqrt(1.0 - std::min(cosine, 1.0) * std::min(cosine, 1.0)) / cosine;
-  discs.ForEachPierced(part.Line, { 0.0, endsOnSurface ? interval.End : HUGE_VAL }, slant,
-    [&](const PhotonDiscs::Pierced& pierced)
+  before *= this->Pass.Number > 0 ? 1.0 / (share * this->Pass.Number * static_cast<double>(wavelengths)) : 0.0;
+  const double difference = this->Pass.Number > 0 ? mean - before : 0.0;
+  error += static_cast<float>(difference * difference * this->Pass.Number / (this->Pass.Number + 1.0));
+}
+
+void FinishIndirect(int passes, std::size_t begin, std::size_t end, ScatteringImage& image)
+{
+  const auto wavelengths = static_cast<std::size_t>(image.NumberOfWavelengths);
+  const double share = passes > 1 ? 1.0 / (passes * (passes - 1.0)) : 1.0;
+  for (std::size_t pixel = begin; pixel < end; ++pixel)
+  {
+    double mean = 0.0;
+    for (std::size_t k = pixel * wavelengths; k < (pixel + 1) * wavelengths; ++k)
     {
-      if (endsOnSurface && Dot(photons.Point(pierced.Photon) - end, facet) < 0.0)
-      {
-        return; // behind the surface
-      }
-      const double depth = this->OpticalDepth.Along(pierced.T);
-      const double turn = -Dot(photons.Direction(pierced.Photon), part.Line.Direction);
-      const double scattered = pierced.Kernel * EvaluatePhaseFunction(this->Scene.Medium.Phase, turn);
-      for (std::size_t group = 0; group < this->Transmittance.size(); ++group)
-      {
-        this->Transmittance[group] = scattered * TransmittanceOver(this->Groups.SigmaT[group], depth);
-      }
-      const float* power = photons.Power(pierced.Photon);
-      double mean = 0.0;
-      for (std::size_t k = 0; k < this->Medium.size(); ++k)
-      {
-        const double value = power[k] * this->Transmittance[static_cast<std::size_t>(this->Groups.GroupOf[k])];
-        this->Medium[k] += part.Fraction * value;
-        mean += fraction * value;
-      }
-      this->Variance += mean * mean;
-    });
-}
-
-void IndirectLight::AddSurface(const PixelRay& part)
-{
-  const SurfacePhotons& photons = this->Scene.Photons->Surface;
-  if (photons.Empty() || !part.Hit.HasSurface() || this->Options.NumberOfSurfaceLightSamples == 0)
-  {
-    return;
+      const float found = image.MultipleScattering[k] + image.IndirectSurface[k];
+      image.Radiance[k] += found;
+      mean += static_cast<double>(found) / static_cast<double>(wavelengths);
+    }
+    float& error = image.PhotonError[pixel];
+    error = mean > 0.0 ? static_cast<float>(std::sqrt(share * static_cast<double>(error)) / mean) : 0.0f;
   }
-  this->Points.Find(part.Line, part.Hit, this->Point);
-  photons.Estimate(this->Point.Position, this->Point.Facet, this->Query);
-  double throughput = 0.0;
-  for (std::size_t k = 0; k < this->Surface.size(); ++k)
-  {
-    this->Surface[k] += part.Fraction * this->Point.Throughput[k] * this->Query.Irradiance[k];
-    throughput += part.Fraction * this->Point.Throughput[k] / static_cast<double>(this->Surface.size());
-  }
-  this->Variance += throughput * throughput * this->Query.Variance;
 }
 
 } // namespace shadowcones

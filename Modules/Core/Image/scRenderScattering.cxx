@@ -5,7 +5,10 @@
 #include "scIndirectLight.h"
 #include "scLightLegsChoice.h"
 #include "scMediumTerm.h"
+#include "scPhotonEstimates.h"
+#include "scPhotonMap.h"
 #include "scPrimaryHits.h"
+#include "scRandom.h"
 #include "scRenderContext.h"
 #include "scShadingScene.h"
 #include "scSurfaceShader.h"
@@ -14,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -222,7 +227,15 @@ public:
     }
   }
 
-  bool Render(const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image) const;
+  /// All but what photons say. @param hits gets what the camera sees of the extent. @return false where aborted.
+  bool Render(const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image,
+    std::unique_ptr<const PrimaryHits>& hits) const;
+
+  /// Does any light come from photons?
+  bool HasIndirect() const { return this->Scenes.front().Photons || this->Options.NumberOfPhotonPasses > 0; }
+  /// Add what photons say to images that are finished otherwise. @return false where aborted.
+  bool AddIndirect(const std::vector<std::unique_ptr<const PrimaryHits>>& hits, const Monitor& monitor,
+    std::vector<ScatteringImage>& images) const;
 
 private:
   /// What the medium term of a light takes from a look at the whole image.
@@ -236,7 +249,7 @@ private:
   bool RenderMedium(std::size_t light, const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
   bool RenderMedia(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
   bool Shade(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
-  bool AddIndirect(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
+  bool TracePass(int pass, const Monitor& monitor, PhotonEstimates& estimates) const;
 
   std::vector<Medium> Media; ///< those that were made plain
   const std::vector<ScatteringScene> Scenes;
@@ -359,37 +372,94 @@ bool ImageRenderer::Shade(const PrimaryHits& hits, const Monitor& monitor, Scatt
   return finished;
 }
 
-/// What photon maps say, where there are any: after all else.
-bool ImageRenderer::AddIndirect(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const
+/// Photons of a pass, ready to be asked: those of another pass are independent of them.
+bool ImageRenderer::TracePass(int pass, const Monitor& monitor, PhotonEstimates& estimates) const
 {
+  constexpr double shareOfTracing = 0.6; // of the progress
+  constexpr std::uint64_t passStream = 0x706173736573ull;
+  std::vector<Light> lights;
+  std::transform(this->Scenes.begin(), this->Scenes.end(), std::back_inserter(lights),
+    [](const ScatteringScene& scene) { return scene.Light; });
+  PhotonMapOptions options;
+  options.NumberOfPhotons = this->Options.NumberOfPhotonsPerPass;
+  options.Reflectance = this->Options.Reflectance;
+  options.SurfaceReflectance = this->Options.SurfaceReflectance;
+  options.ReflectanceComponents = this->Options.ReflectanceComponents;
+  options.Seed = HashSeed(HashSeed(this->Options.Seed, passStream), static_cast<std::uint64_t>(pass));
   const ScatteringScene& scene = this->Scenes.front();
-  if (!scene.Photons)
-  {
-    return true;
-  }
-  image.MultipleScattering.Resize(image.Radiance.size());
-  image.IndirectSurface.Resize(image.Radiance.size());
-  image.PhotonError.Resize(image.Depth.size());
-  const int columns = image.Extent[1] - image.Extent[0] + 1;
-  return ParallelFor(static_cast<vtkIdType>(image.Depth.size()), monitor,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      IndirectLight indirect(scene, this->Options, this->Shading.Groups, hits, image);
-      for (vtkIdType index = begin; index < end; ++index)
-      {
-        indirect.Add(
-          image.Extent[0] + static_cast<int>(index % columns), image.Extent[2] + static_cast<int>(index / columns));
-      }
-    });
+  PhotonMap map;
+  return TracePhotonMap({ scene.Occluders, lights, scene.Medium }, options, monitor.Part(0.0, shareOfTracing), map) &&
+    PreparePhotonEstimates(std::move(map.Surface), std::move(map.Volume), this->Options.PhotonNeighbours,
+      this->Options.NumberOfPhotonPasses, monitor.Part(shareOfTracing, 1.0), estimates);
 }
 
-bool ImageRenderer::Render(const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image) const
+bool ImageRenderer::AddIndirect(const std::vector<std::unique_ptr<const PrimaryHits>>& hits, const Monitor& monitor,
+  std::vector<ScatteringImage>& images) const
 {
-  const double shaded = this->Scenes.front().Photons ? 0.85 : 1.0;
-  PrimaryHits hits(this->Scenes.front(), this->Options, extent, this->Visible);
-  return Allocate(extent, this->Scenes.front().Light.Spectrum.size(), monitor.Part(0.0, 0.01), image) &&
-    hits.Trace(monitor.Part(0.01, 0.05)) && this->RenderMedia(hits, monitor.Part(0.05, 0.8), image) &&
-    this->Shade(hits, monitor.Part(0.8, shaded), image) && this->AddIndirect(hits, monitor.Part(shaded, 1.0), image);
+  struct Item
+  {
+    std::size_t Image;
+    TileRange Tile;
+  };
+  std::vector<Item> items;
+  for (std::size_t k = 0; k < images.size(); ++k)
+  {
+    ScatteringImage& image = images[k];
+    for (PixelArray<float>* values : { &image.MultipleScattering, &image.IndirectSurface })
+    {
+      values->Resize(image.Radiance.size());
+      std::fill(values->begin(), values->end(), 0.0f);
+    }
+    image.PhotonError.Resize(image.Depth.size());
+    std::fill(image.PhotonError.begin(), image.PhotonError.end(), 0.0f);
+    for (const TileRange& tile : TilesOf(image.Extent, IndirectLight::TileSide))
+    {
+      items.push_back({ k, tile });
+    }
+  }
+  const ScatteringScene& scene = this->Scenes.front();
+  const int passes = scene.Photons ? 1 : this->Options.NumberOfPhotonPasses;
+  const double traced = scene.Photons ? 0.0 : 0.5; // of a pass
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    const Monitor part = monitor.Part(static_cast<double>(pass) / passes, (pass + 1.0) / passes);
+    PhotonEstimates own; // only for this pass
+    if (!scene.Photons && !this->TracePass(pass, part.Part(0.0, traced), own))
+    {
+      return false;
+    }
+    const IndirectPass now{ scene.Photons ? *scene.Photons : own, pass, passes };
+    const bool added = ParallelFor(static_cast<vtkIdType>(items.size()), part.Part(traced, 1.0),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        IndirectLight indirect(scene, this->Options, this->Shading.Groups, now);
+        for (vtkIdType k = begin; k < end; ++k)
+        {
+          const Item& item = items[static_cast<std::size_t>(k)];
+          indirect.Add(item.Tile, *hits[item.Image], images[item.Image]);
+        }
+      });
+    if (!added)
+    {
+      return false;
+    }
+  }
+  for (ScatteringImage& image : images)
+  {
+    FinishIndirect(passes, 0, image.Depth.size(), image);
+  }
+  return true;
+}
+
+bool ImageRenderer::Render(const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image,
+  std::unique_ptr<const PrimaryHits>& hits) const
+{
+  auto traced = std::make_unique<PrimaryHits>(this->Scenes.front(), this->Options, extent, this->Visible);
+  const bool finished = Allocate(extent, this->Scenes.front().Light.Spectrum.size(), monitor.Part(0.0, 0.01), image) &&
+    traced->Trace(monitor.Part(0.01, 0.05)) && this->RenderMedia(*traced, monitor.Part(0.05, 0.8), image) &&
+    this->Shade(*traced, monitor.Part(0.8, 1.0), image);
+  hits = this->HasIndirect() ? std::move(traced) : nullptr; // no other asks for them
+  return finished;
 }
 
 void ThrowWhereWrong(const ScatteringOptions& options)
@@ -410,8 +480,11 @@ bool RenderScattering(
 bool RenderScattering(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options,
   const Monitor& monitor, ScatteringImage& image)
 {
-  ThrowWhereWrong(options);
-  return ImageRenderer(scenes, options).Render(options.Extent, monitor, image);
+  std::vector<ScatteringImage> images(1);
+  std::swap(images.front(), image); // its memory is used again
+  const bool finished = RenderScattering(scenes, options, { options.Extent }, monitor, images);
+  std::swap(images.front(), image);
+  return finished;
 }
 
 bool RenderScattering(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options,
@@ -435,7 +508,7 @@ bool RenderScattering(const std::vector<ScatteringScene>& scenes, const Scatteri
   for (std::size_t k = 0; k < extents.size(); ++k)
   {
     all += pixels(extents[k]);
-    if (pixels(extents[k]) <= pixelsOfSquare)
+    if (extents.size() > 1 && pixels(extents[k]) <= pixelsOfSquare)
     {
       squares.push_back(k);
     }
@@ -445,13 +518,16 @@ bool RenderScattering(const std::vector<ScatteringScene>& scenes, const Scatteri
   {
     renderer.PrepareForMany();
   }
+  const double shareOfDirect = !renderer.HasIndirect() ? 1.0 : scenes.front().Photons ? 0.85 : 0.4;
+  const Monitor direct = monitor.Part(0.0, shareOfDirect);
+  std::vector<std::unique_ptr<const PrimaryHits>> hits(extents.size());
   double done = 0.0;
   for (std::size_t k = 0; k < extents.size(); ++k)
   {
     const double size = pixels(extents[k]);
-    if (size > pixelsOfSquare)
+    if (extents.size() == 1 || size > pixelsOfSquare)
     {
-      if (!renderer.Render(extents[k], monitor.Part(done / all, (done + size) / all), images[k]))
+      if (!renderer.Render(extents[k], direct.Part(done / all, (done + size) / all), images[k], hits[k]))
       {
         return false;
       }
@@ -459,16 +535,17 @@ bool RenderScattering(const std::vector<ScatteringScene>& scenes, const Scatteri
     }
   }
   // A small part has no tiles for several threads: these are shared out whole.
-  return squares.empty() ||
-    ParallelFor(static_cast<vtkIdType>(squares.size()), monitor.Part(done / all, 1.0),
+  const bool finished = squares.empty() ||
+    ParallelFor(static_cast<vtkIdType>(squares.size()), direct.Part(done / all, 1.0),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
           const std::size_t k = squares[static_cast<std::size_t>(i)];
-          renderer.Render(extents[k], {}, images[k]);
+          renderer.Render(extents[k], {}, images[k], hits[k]);
         }
       });
+  return finished && (!renderer.HasIndirect() || renderer.AddIndirect(hits, monitor.Part(shareOfDirect, 1.0), images));
 }
 
 } // namespace shadowcones

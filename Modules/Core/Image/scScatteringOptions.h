@@ -8,6 +8,7 @@
 
 #include "ShadowConesCoreModule.h"
 #include "scLightSampling.h"
+#include "vtkType.h"
 
 #include <array>
 #include <cstdint>
@@ -64,6 +65,10 @@ struct ScatteringOptions
   int ReflectanceComponents = 1;
   std::vector<float> SurfaceNormals; ///< per point of the mesh, 3 values each, any length; empty, or 0: the triangles'
   std::uint64_t Seed = 1;
+  /// Without photon maps in the scene: trace photons in so many passes, each anew, and take the mean of what they say; 0: none.
+  int NumberOfPhotonPasses = 0;
+  vtkIdType NumberOfPhotonsPerPass = 100000; ///< emitted by all lights together, at least 0
+  int PhotonNeighbours = 0; ///< of the photons of all passes together, see PreparePhotonEstimates
 };
 
 /// nullptr, or what is wrong with the options.

@@ -6,22 +6,121 @@
  * After Jarosz, Zwicker and Jensen ("The Beam Radiance Estimate for Volumetric Photon Mapping", Eurographics 2008): every
  * photon is a disc that faces the ray, with the radius within which it has so many neighbours; a ray gathers all discs that
  * it pierces, each once, so that nothing is marched. The kernel is 3 / (pi r^2) (1 - d^2 / r^2)^2, d from the ray.
+ *
+ * Rays that lie together gather together: discs are as wide as many pixels, so that one way through the tree and one look at a
+ * disc serve them all, side by side. What a ray finds does not depend on the others.
  */
 #ifndef scPhotonDiscs_h
 #define scPhotonDiscs_h
 
 #include "ShadowConesCoreModule.h"
+#include "scMedium.h"
 #include "scParallel.h"
-#include "scPhaseFunction.h"
+#include "scPhotonBalls.h"
 #include "scRay.h"
 #include "scRayInterval.h"
 #include "scStoredPhotons.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace shadowcones
 {
+
+class PhotonDiscs;
+
+/// A ray that gathers.
+struct GatheringRay
+{
+  Ray Line;
+  RayInterval Part; ///< in the medium
+  /**
+   * Where it ends at a surface, the unit normal of that on its side, else 0 and the ray has no end. Where the surface is slanted
+   * as many photons in front of it lie beyond the end as are missing before it: those in front are taken, beyond the end by less
+   * than the disc's radius times the tangent of the slant, which is right to first order.
+   */
+  Vector3 Facet;
+};
+
+/// Rays side by side, and what they have gathered; used again and again, by one thread.
+class SHADOWCONESCORE_EXPORT DiscPacket
+{
+public:
+  /// For rays in a medium, which must outlive it. Wavelengths of one extinction share an attenuation.
+  explicit DiscPacket(const Medium& medium);
+
+  /// No rays, near a place from which single precision is fine.
+  void Clear(const Vector3& origin);
+  /// @param depthAlong the optical depth of a ray from the begin of its part to a distance, in units of sigma_t; not used in a
+  /// homogeneous medium.
+  void Add(const GatheringRay& ray, const std::function<double(double)>& depthAlong);
+  std::size_t Count() const { return this->Rays.size(); }
+  /// What a ray has gathered at a wavelength: radiance.
+  double Radiance(std::size_t ray, std::size_t wavelength) const { return this->Sums[wavelength * this->Width + ray]; }
+  /// Variance of its mean over wavelengths, if photons are independent.
+  double Variance(std::size_t ray) const { return this->Squares[ray]; }
+
+private:
+  friend class PhotonDiscs;
+
+  /// Values of a ray, one array each: see Weigh().
+  enum Value : int
+  {
+    OriginX,
+    OriginY,
+    OriginZ,
+    AlongX,
+    AlongY,
+    AlongZ,
+    Begin,
+    End,
+    Beyond,
+    FacetX,
+    FacetY,
+    FacetZ,
+    FacetOffset,
+    Weight,
+    Depth,
+    Attenuated,
+    Mean,
+    NumberOfValues
+  };
+  struct Bound ///< of all rays, for what none of them meets
+  {
+    Vector3 Origin;
+    Vector3 Direction;
+    double Apart = 0.0;  ///< of an origin from that
+    double Opens = 0.0;  ///< of a direction from that
+    double End = 0.0;    ///< largest
+    double Beyond = 0.0; ///< largest
+  };
+  float* Values(int value) { return this->Lanes.data() + static_cast<std::size_t>(value) * this->Width; }
+  void LayOut();
+  bool Meets(const PhotonBalls::Node& node) const;
+  bool Meets(const PhotonBall& ball) const;
+  void Take(const PhotonBall& ball, const float* direction, const float* power);
+  bool Weigh(const PhotonBall& ball);
+  void Scatter(const float* direction);
+  void LookUpDepths();
+  void Collect(const float* power);
+
+  const shadowcones::Medium& Medium;
+  std::vector<float> SigmaT;           ///< per group of wavelengths
+  std::vector<std::size_t> GroupOf;    ///< per wavelength
+  std::vector<std::size_t> Wavelengths; ///< group after group
+  Vector3 From;
+  std::vector<GatheringRay> Rays;
+  std::vector<float> Depths; ///< in a density: knots of every ray
+  std::vector<float> Steps;  ///< their distance
+  std::size_t Width = 0;     ///< of an array
+  Bound All;
+  std::vector<float> Lanes;
+  std::vector<float> Sums; ///< wavelength after wavelength
+  std::vector<float> Squares;
+};
 
 class SHADOWCONESCORE_EXPORT PhotonDiscs
 {
@@ -29,121 +128,23 @@ public:
   /// Nothing until Build().
   PhotonDiscs() = default;
 
-  /// Take photons, whose order changes, and whose discs are to hold so many neighbours. @return false where aborted.
-  bool Build(StoredPhotons photons, int neighbours, const Monitor& monitor);
-
-  /// A disc that a ray pierces.
-  struct Pierced
+  /// Take photons, whose discs are to hold so many neighbours. @return false where aborted.
+  bool Build(StoredPhotons photons, double neighbours, const Monitor& monitor)
   {
-    vtkIdType Photon = 0; ///< in Photons()
-    double T = 0.0;       ///< along the ray
-    double Kernel = 0.0;  ///< 1 / square unit
-  };
-  /**
-   * Call visit(Pierced) for every disc that the ray pierces inside this part of it, or beyond its end by less than so many of
-   * the disc's radii, @p beyond. Where a ray ends at a slanted surface, as many photons in front of that lie beyond the end as are
-   * missing before it: an estimate that takes them, up to the tangent of the slant, is right to first order.
-   */
-  template <typename Visitor>
-  void ForEachPierced(const Ray& ray, const RayInterval& part, double beyond, Visitor&& visit) const;
+    return this->Balls.Build(std::move(photons), neighbours, 3, monitor);
+  }
+  /// What is scattered towards the origins of the rays.
+  void Gather(DiscPacket& packet) const;
 
-  bool Empty() const { return this->Discs.empty(); }
-  const StoredPhotons& Photons() const { return this->Stored; }
+  bool Empty() const { return this->Balls.Empty(); }
+  const Vector3& Origin() const { return this->Balls.Origin(); }
   /// Mean radius of the discs, world units.
-  double MeanRadius() const;
-  std::int64_t Memory() const;
+  double MeanRadius() const { return this->Balls.MeanRadius(); }
+  std::int64_t Memory() const { return this->Balls.Memory(); }
 
 private:
-  struct Disc
-  {
-    float Center[3]; ///< from Origin
-    float Radius;
-    int Photon;
-  };
-  struct Node
-  {
-    float Min[3]; ///< box around all discs, whichever way they face, from Origin
-    float Max[3];
-    int Right = 0; ///< inner node: its right child, the left one follows it; leaf: first disc
-    int Count = 0; ///< leaf: number of discs; inner node: 0
-    float Radius = 0.0f; ///< largest of its discs
-  };
-
-  std::vector<vtkIdType> ChosenFor(int neighbours) const;
-  bool FindRadii(int neighbours, const Monitor& monitor);
-  void BuildNode(std::size_t begin, std::size_t end);
-  void SortPhotons();
-  static bool MeetsRay(
-    const Node& node, const double (&origin)[3], const double (&inverse)[3], RayInterval part);
-
-  StoredPhotons Stored;
-  Vector3 Origin;
-  std::vector<Disc> Discs;
-  std::vector<Node> Nodes;
+  PhotonBalls Balls;
 };
-
-inline bool PhotonDiscs::MeetsRay(
-  const Node& node, const double (&origin)[3], const double (&inverse)[3], RayInterval part)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double a = (node.Min[axis] - origin[axis]) * inverse[axis];
-    const double b = (node.Max[axis] - origin[axis]) * inverse[axis];
-    const double near = a < b ? a : b;
-    const double far = a < b ? b : a;
-    part.Begin = near > part.Begin ? near : part.Begin;
-    part.End = far < part.End ? far : part.End;
-  }
-  return part.Begin <= part.End;
-}
-
-template <typename Visitor>
-void PhotonDiscs::ForEachPierced(const Ray& ray, const RayInterval& part, double beyond, Visitor&& visit) const
-{
-  if (this->Nodes.empty())
-  {
-    return;
-  }
-  const Vector3 from = ray.Origin - this->Origin;
-  const Vector3& along = ray.Direction;
-  const double origin[3] = { from.X, from.Y, from.Z };
-  // A finite stand-in for 1 / 0: no NaN where a ray runs in the face of a box.
-  const auto inverseOf = [](double x) { return x != 0.0 ? 1.0 / x : 1e300; };
-  const double inverse[3] = { inverseOf(along.X), inverseOf(along.Y), inverseOf(along.Z) };
-  int stack[64];
-  int size = 0;
-  stack[size++] = 0;
-  while (size > 0)
-  {
-    const int index = stack[--size];
-    const Node& node = this->Nodes[static_cast<std::size_t>(index)];
-    if (!MeetsRay(node, origin, inverse, { part.Begin, part.End + beyond * node.Radius }))
-    {
-      continue;
-    }
-    if (node.Count == 0)
-    {
-      stack[size++] = node.Right;
-      stack[size++] = index + 1;
-      continue;
-    }
-    for (int k = node.Right; k < node.Right + node.Count; ++k)
-    {
-      const Disc& disc = this->Discs[static_cast<std::size_t>(k)];
-      const Vector3 to = Vector3{ disc.Center[0], disc.Center[1], disc.Center[2] } - from;
-      const double t = Dot(to, along);
-      const Vector3 across = to - t * along;
-      const double squaredRadius = static_cast<double>(disc.Radius) * disc.Radius;
-      const double squared = Dot(across, across);
-      if (squared < squaredRadius && t > part.Begin && t < part.End + beyond * disc.Radius)
-      {
-        constexpr double threeOverPi = 0.95492965855137201461;
-        const double rest = 1.0 - squared / squaredRadius;
-        visit(Pierced{ disc.Photon, t, threeOverPi * rest * rest / squaredRadius });
-      }
-    }
-  }
-}
 
 } // namespace shadowcones
 

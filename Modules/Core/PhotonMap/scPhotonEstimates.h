@@ -25,15 +25,19 @@ struct PhotonEstimates
 };
 
 /**
- * Photons of an estimate of so many photons unless told otherwise. Both grow slower than the map, so that radius and noise
- * shrink together as it grows. In the medium a ray gathers ever more discs of the same number of neighbours.
+ * Photons of an estimate of so many photons unless told otherwise. Bias falls with r^2 and noise with 1 / sqrt(N r^2), both on
+ * surfaces and, where a ray gathers discs, in the medium: r in proportion to N^(-1/6) makes them fall alike, with N^(-1/3). So
+ * k grows with N r^2 on surfaces and with N r^3 in the medium.
  */
-SHADOWCONESCORE_EXPORT int NeighboursOnSurfaces(vtkIdType photons);
-constexpr int NeighboursInMedium = 64;
+SHADOWCONESCORE_EXPORT double NeighboursOnSurfaces(double photons);
+SHADOWCONESCORE_EXPORT double NeighboursInMedium(double photons);
 
-/// @param neighbours 0: as many as the functions above say. @return false where aborted.
+/**
+ * @param neighbours 0: as many as the functions above say. @param passes of as many photons each, of which this is one: all of
+ * them together have the neighbours. @return false where aborted.
+ */
 SHADOWCONESCORE_EXPORT bool PreparePhotonEstimates(StoredPhotons surface, StoredPhotons volume, int neighbours,
-  const Monitor& monitor, PhotonEstimates& estimates);
+  int passes, const Monitor& monitor, PhotonEstimates& estimates);
 
 } // namespace shadowcones
 

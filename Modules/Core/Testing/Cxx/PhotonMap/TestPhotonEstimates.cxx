@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 using namespace shadowcones;
 using namespace shadowcones::testsupport;
@@ -31,13 +33,26 @@ StoredPhotons Spread(int count, bool onFloor)
   return photons;
 }
 
+/// A medium that takes nothing away.
+Medium ClearMedium()
+{
+  Medium medium;
+  medium.SigmaS = { 0.0 };
+  medium.SigmaA = { 0.0 };
+  medium.Bounds = { { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } };
+  return medium;
+}
+
+/// The power per area around a ray, of a part of it that ends at surfaces which face it.
 double Gathered(const PhotonDiscs& discs, const Ray& ray, const RayInterval& part)
 {
-  double sum = 0.0;
-  discs.ForEachPierced(ray, part, 0.0,
-    [&](const PhotonDiscs::Pierced& pierced)
-    { sum += pierced.Kernel * static_cast<double>(*discs.Photons().Power(pierced.Photon)); });
-  return sum;
+  const Medium medium = ClearMedium();
+  DiscPacket packet(medium);
+  packet.Clear(discs.Origin());
+  const Ray moved{ ray.Origin + part.Begin * ray.Direction, ray.Direction };
+  packet.Add({ moved, { 0.0, part.End - part.Begin }, -ray.Direction }, {});
+  discs.Gather(packet);
+  return 4.0 * Pi * packet.Radiance(0, 0);
 }
 } // anonymous namespace
 
@@ -72,24 +87,65 @@ TEST(PhotonEstimates, DiscsAddUpToThePowerOfTheirPhotons)
 
 TEST(PhotonEstimates, IrradianceOfAFloorCountsTheSideThatIsAsked)
 {
-  const SurfacePhotons floor(Spread(20000, true), 400);
-  SurfaceQuery query;
-  floor.Estimate({ 0.5, 0.5, 0.0 }, { 0.0, 0.0, 1.0 }, query);
-  EXPECT_NEAR(query.Irradiance[0], 0.5, 0.03) << "half of the photons lie on that side";
-  EXPECT_GT(query.Variance, 0.0);
-  floor.Estimate({ 0.5, 0.5, 0.0 }, { 1.0, 0.0, 0.0 }, query);
-  EXPECT_EQ(query.Irradiance[0], 0.0) << "no surface faces that way";
+  SurfacePhotons floor;
+  ASSERT_TRUE(floor.Build(Spread(20000, true), 400, {}));
+  SurfacePacket packet;
+  packet.Add({ 0.5, 0.5, 0.0 }, { 0.0, 0.0, 1.0 });
+  packet.Add({ 0.5, 0.5, 0.0 }, { 1.0, 0.0, 0.0 });
+  floor.Estimate(packet);
+  EXPECT_NEAR(packet.Irradiance(0, 0), 0.5, 0.03) << "half of the photons lie on that side";
+  EXPECT_GT(packet.Variance(0), 0.0);
+  EXPECT_EQ(packet.Irradiance(1, 0), 0.0) << "no surface faces that way";
+}
+
+// Rays and points that ask together find what each finds alone, to the bit: images do not depend on their tiles.
+TEST(PhotonEstimates, TogetherAsAlone)
+{
+  PhotonDiscs discs;
+  ASSERT_TRUE(discs.Build(Spread(5000, false), 16, {}));
+  SurfacePhotons floor;
+  ASSERT_TRUE(floor.Build(Spread(5000, true), 40, {}));
+  const Medium medium = ClearMedium();
+  DiscPacket rays(medium);
+  DiscPacket one(medium);
+  rays.Clear(discs.Origin());
+  SurfacePacket points;
+  SurfacePacket point;
+  std::vector<GatheringRay> all;
+  for (int k = 0; k < 37; ++k)
+  {
+    const Vector3 to{ 0.02 * k, 0.9 - 0.01 * k, 0.5 };
+    const Vector3 from{ 0.1, 0.2, -4.0 };
+    all.push_back({ { from, Normalized(to - from) }, { 3.9, 4.0 + 0.02 * k }, k % 2 ? Vector3{ 0.0, 0.6, -0.8 } : Vector3{} });
+    rays.Add(all.back(), {});
+    points.Add({ to.X, to.Y, 0.0 }, { 0.0, 0.0, 1.0 });
+  }
+  discs.Gather(rays);
+  floor.Estimate(points);
+  for (std::size_t k = 0; k < all.size(); ++k)
+  {
+    one.Clear(discs.Origin());
+    one.Add(all[k], {});
+    discs.Gather(one);
+    EXPECT_EQ(one.Radiance(0, 0), rays.Radiance(k, 0)) << k;
+    EXPECT_EQ(one.Variance(0), rays.Variance(k)) << k;
+    point.Clear();
+    point.Add({ 0.02 * static_cast<double>(k), 0.9 - 0.01 * static_cast<double>(k), 0.0 }, { 0.0, 0.0, 1.0 });
+    floor.Estimate(point);
+    EXPECT_EQ(point.Irradiance(0, 0), points.Irradiance(k, 0)) << k;
+  }
 }
 
 TEST(PhotonEstimates, NoPhotonsIsNoLight)
 {
   PhotonEstimates none;
-  ASSERT_TRUE(PreparePhotonEstimates({}, {}, 0, {}, none));
+  ASSERT_TRUE(PreparePhotonEstimates({}, {}, 0, 1, {}, none));
   EXPECT_TRUE(none.Surface.Empty());
   EXPECT_TRUE(none.Volume.Empty());
   PhotonEstimates one;
-  ASSERT_TRUE(PreparePhotonEstimates(Spread(1, true), Spread(1, false), 0, {}, one));
-  SurfaceQuery query;
-  one.Surface.Estimate({ 0.5, 0.5, 0.0 }, { 0.0, 0.0, 1.0 }, query);
-  EXPECT_TRUE(std::isfinite(query.Irradiance[0]));
+  ASSERT_TRUE(PreparePhotonEstimates(Spread(1, true), Spread(1, false), 0, 4, {}, one));
+  SurfacePacket packet;
+  packet.Add({ 0.5, 0.5, 0.0 }, { 0.0, 0.0, 1.0 });
+  one.Surface.Estimate(packet);
+  EXPECT_TRUE(std::isfinite(packet.Irradiance(0, 0)));
 }
