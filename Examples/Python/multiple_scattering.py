@@ -23,7 +23,7 @@ def photon_map(room, light, number, sigma_s):
 
 def main():
     options = common.parser(__doc__, size=512, vectors=5800)
-    options.add_argument("--photons", type=int, default=200000, help="photons to emit (default: 200000)")
+    options.add_argument("--photons", type=int, default=1000000, help="photons to emit (default: 1000000)")
     options.add_argument("--fog", type=float, default=0.4, help="scattering coefficient of the fog (default: 0.4)")
     arguments = common.parse(options)
     light = scenes.ceiling_light()
