@@ -21,10 +21,10 @@
 #include "scRayInterval.h"
 #include "scStoredPhotons.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace shadowcones
