@@ -318,6 +318,8 @@ bool RenderScene(ImageScene& scene, const std::vector<std::array<int, 4>>& exten
   constexpr double shareOfSoft = 0.4; // of the progress: filling its grids
   const bool isSoft = scene.Options.Mode == ScatteringMode::Soft;
   const std::shared_ptr<const PreparedOccluders> occluders = PrepareOccluders(scene.Prepared, scene.Mesh);
+  const std::shared_ptr<const PreparedOccluders> casters =
+    PrepareOccluders(scene.Prepared, PrepareCasters(scene.Prepared, scene.Mesh));
   const std::vector<Light>& lights = scene.Lights.Lights;
   // Surfaces outside the medium lie in shadow too.
   Box bounds = scene.Medium.Bounds;
@@ -340,7 +342,7 @@ bool RenderScene(ImageScene& scene, const std::vector<std::array<int, 4>>& exten
   {
     scenes.push_back({ occluders->Scene, lights[k], scene.Medium, scene.Camera, cones ? cones->OfLights[k].get() : nullptr,
       scene.Grids ? &scene.Grids->Grids[k] : nullptr, scene.Grids ? scene.Grids->Layouts[k].get() : nullptr,
-      scene.Photons ? &scene.Photons->Estimates : nullptr });
+      scene.Photons ? &scene.Photons->Estimates : nullptr, &casters->Scene });
   }
   return RenderScattering(scenes, scene.Options, extents, monitor.Part(isSoft ? shareOfSoft : 0.0, 1.0), images);
 }

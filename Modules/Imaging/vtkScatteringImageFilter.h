@@ -37,7 +37,7 @@
  *
  * Input ports:
  * - 0, vtkPolyData: the mesh that casts and receives shadows; polygons and strips. Cell data "OccluderId" (int, 1
- *   component, optional), "Reflectance" (1 component or one a wavelength sample, 0..1, optional). Point data "Normals",
+ *   component, optional; below 0: a receiver, which is seen and reflects, and hides no light), "Reflectance" (1 component or one a wavelength sample, 0..1, optional). Point data "Normals",
  *   else the active normals (3 components, any length, optional; turned to the camera's side; of length 0 or below
  *   their triangle: not used). It may be empty: the image then has no surfaces. Fast, Soft and Volume work without it.
  * - 1, vtkPolyData: the lights, from vtkAreaLightSource or any mesh of polygons, which emit along their normals; one a

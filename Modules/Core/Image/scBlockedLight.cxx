@@ -63,7 +63,7 @@ BlockedLight::BlockedLight(const RenderContext& context, const LightLegs* legs)
   , Sampler(context.Scene.Light, context.Options.Sampling)
   , OpticalDepth(context.Scene.Medium)
   , Legs(legs)
-  , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
+  , Rules(context.Scene.ShadowCasters().RulesFor(FlatFaceOf(context.Scene.Light)))
   , Ends(context.Options.ShareNearEnds)
   , Intervals(context.Groups)
   , Ratio(context.Groups)
@@ -231,7 +231,7 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
 {
   const Ray& ray = lit.Profile().Line;
   const int groups = this->Groups.Count();
-  const OccluderScene& occluders = this->Scene.Occluders;
+  const OccluderScene& casters = this->Scene.ShadowCasters();
   const double distributed = this->Intervals.Distributed();
   const LightSequence& sequence = Sequence();
   RandomStream random(seed, 0);
@@ -266,7 +266,7 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
     if (sample.Weight > 0.0 && inCell > 0.0)
     {
       this->OcclusionRays += 1;
-      const bool blocked = occluders.Occluded(point, sample.Direction, 0.0, sample.Distance, this->Rules);
+      const bool blocked = casters.Occluded(point, sample.Direction, 0.0, sample.Distance, this->Rules);
       const double source = sample.Weight * this->OpticalDepth.DensityAt(point) *
         EvaluatePhaseFunction(this->Scene.Medium.Phase, Dot(sample.Direction, ray.Direction));
       const double depth = this->OpticalDepth.Along(t) +

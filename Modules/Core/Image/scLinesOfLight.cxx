@@ -78,7 +78,7 @@ LinesOfLight::LinesOfLight(const RenderContext& context, const LineShadows& shad
   , Options(context.Options)
   , Groups(context.Groups)
   , Shadows(shadows)
-  , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
+  , Rules(context.Scene.ShadowCasters().RulesFor(FlatFaceOf(context.Scene.Light)))
   , OpticalDepth(context.Scene.Medium)
   , Legs(legs)
   , Intervals(context.Groups)

@@ -165,9 +165,9 @@ LitMinusBlockedScene::LitMinusBlockedScene(const RenderContext& context, const M
   if (options.Mode == ScatteringMode::Guided)
   {
     this->Darkest = DarkestFraction * LookAtImage(*this);
-    if (LinesOfLight::Fit(context) && scene.Occluders.Mesh().NumberOfTriangles <= mostTriangles)
+    if (LinesOfLight::Fit(context) && scene.ShadowCasters().Mesh().NumberOfTriangles <= mostTriangles)
     {
-      const LineShadows& lines = scene.Occluders.Lines();
+      const LineShadows& lines = scene.ShadowCasters().Lines();
       this->Lines = LinesCostLess(*this, lines) ? &lines : nullptr;
     }
   }

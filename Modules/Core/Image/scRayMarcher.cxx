@@ -25,7 +25,7 @@ RayMarcher::RayMarcher(const RenderContext& context, const LightLegs* legs)
   , Sampler(context.Scene.Light, context.Options.Sampling)
   , OpticalDepth(context.Scene.Medium)
   , Legs(legs)
-  , Rules(context.Scene.Occluders.RulesFor(FlatFaceOf(context.Scene.Light)))
+  , Rules(context.Scene.ShadowCasters().RulesFor(FlatFaceOf(context.Scene.Light)))
   , Ends(context.Options.ShareNearEnds)
   , Intensities(static_cast<std::size_t>(context.Strata.Count()))
 {
@@ -242,7 +242,7 @@ void RayMarcher::Evaluate(Node& node)
     if (sample.Weight > 0.0)
     {
       this->OcclusionRays += testOcclusion ? 1 : 0;
-      if (!testOcclusion || !scene.Occluders.Occluded(point, sample.Direction, 0.0, sample.Distance, this->Rules))
+      if (!testOcclusion || !scene.ShadowCasters().Occluded(point, sample.Direction, 0.0, sample.Distance, this->Rules))
       {
         const double cosine = Dot(sample.Direction, this->CameraRay.Direction);
         const double source = sample.Weight * EvaluatePhaseFunction(scene.Medium.Phase, cosine);

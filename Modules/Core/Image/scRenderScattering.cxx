@@ -118,7 +118,7 @@ std::vector<ScatteringScene> WithPlainMedia(const std::vector<ScatteringScene>& 
       std::for_each(sigmas->begin(), sigmas->end(), [density](double& sigma) { sigma *= density; });
     }
     plain.push_back({ scene.Occluders, scene.Light, medium, scene.Camera, scene.Cones, scene.Visibility, scene.Layout,
-      scene.Photons });
+      scene.Photons, scene.Casters });
   }
   return plain;
 }

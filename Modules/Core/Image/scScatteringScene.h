@@ -31,7 +31,7 @@ SHADOWCONESCORE_EXPORT std::int64_t MemoryOf(const VisibilityGridSampler& layout
 /// What is rendered in the light of one light; nothing is owned. The light spectrum, SigmaS and SigmaA have one length.
 struct ScatteringScene
 {
-  const OccluderScene& Occluders;
+  const OccluderScene& Occluders; ///< what is seen, and reflects
   const shadowcones::Light& Light;
   const shadowcones::Medium& Medium;
   const shadowcones::Camera& Camera;
@@ -42,6 +42,10 @@ struct ScatteringScene
   const VisibilityGridSampler* Layout = nullptr; ///< of that grid; nullptr: it is laid out for this image
   /// Of all lights together: those of the first scene count. nullptr: single scattering and direct light alone.
   const PhotonEstimates* Photons = nullptr;
+  const OccluderScene* Casters = nullptr; ///< the occluders without receivers, where there are any; else nullptr
+
+  /// What hides the light from the medium and from surfaces.
+  const OccluderScene& ShadowCasters() const { return this->Casters ? *this->Casters : this->Occluders; }
 };
 
 } // namespace shadowcones

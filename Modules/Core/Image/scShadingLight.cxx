@@ -18,7 +18,7 @@ bool IsSinglePlace(const Light& light)
 ShadingLight::ShadingLight(const ScatteringScene& scene, const ScatteringOptions& options)
   : Scene(scene)
   , Occlusion(scene, options)
-  , Rules(scene.Occluders.RulesFor(FlatFaceOf(scene.Light)))
+  , Rules(scene.ShadowCasters().RulesFor(FlatFaceOf(scene.Light)))
   , IsSingle(IsSinglePlace(scene.Light))
 {
   const int levels = scene.Light.Shape == LightShape::Mesh ? 0 : (this->IsSingle ? 1 : LightRule::NumberOfLevels);

@@ -388,7 +388,7 @@ void SurfaceLight::Trace(const SurfacePoint& point)
     }
     const std::uint64_t hidden = wanted == 0
       ? 0
-      : this->Shading.Scene.Occluders.OccludedFrom(point.Position, x, y, z, wanted, infinity, this->Shading.Rules);
+      : this->Shading.Scene.ShadowCasters().OccludedFrom(point.Position, x, y, z, wanted, infinity, this->Shading.Rules);
     for (std::size_t k = 0; k < size; ++k)
     {
       drawn.Seen[first + k] = static_cast<char>((wanted & ~hidden) >> k & 1u);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scTriangleMesh.h"
 
+#include "scPointWelding.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -39,14 +41,16 @@ std::vector<bool> ClosedOccluders(const TriangleMeshView& mesh)
     vtkIdType High;
     int Sign;
   };
+  // A point may stand several times at its place: once for each of its normals.
+  const std::vector<vtkIdType> place = WeldPoints(mesh, nullptr, 0.0);
   std::vector<Edge> edges;
   edges.reserve(static_cast<std::size_t>(3 * mesh.NumberOfTriangles));
   for (vtkIdType t = 0; t < mesh.NumberOfTriangles; ++t)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      const vtkIdType a = mesh.Triangles[3 * t + corner];
-      const vtkIdType b = mesh.Triangles[3 * t + (corner + 1) % 3];
+      const vtkIdType a = place[static_cast<std::size_t>(mesh.Triangles[3 * t + corner])];
+      const vtkIdType b = place[static_cast<std::size_t>(mesh.Triangles[3 * t + (corner + 1) % 3])];
       edges.push_back({ mesh.OccluderId(t), std::min(a, b), std::max(a, b), a < b ? 1 : -1 });
     }
   }

@@ -48,7 +48,7 @@ SHADOWCONESCORE_EXPORT Box CasterBounds(const TriangleMeshView& mesh);
 
 /**
  * For each triangle whether its occluder's triangles form a closed, consistently oriented surface: every edge is used as
- * often in one direction as in the other. Points must be shared (welded).
+ * often in one direction as in the other. Points with equal coordinates are one.
  */
 SHADOWCONESCORE_EXPORT std::vector<bool> ClosedOccluders(const TriangleMeshView& mesh);
 

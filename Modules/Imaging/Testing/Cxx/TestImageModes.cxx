@@ -5,6 +5,8 @@
 #include "ImageTesting.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
 #include "vtkRegularPolygonSource.h"
 
 using namespace imagetesting;
@@ -27,6 +29,41 @@ TEST_F(ImageModes, UnshadowedLightIsTheSameInTheFasterModes)
     const auto image = this->Image();
     EXPECT_LT(Error(image, truth), 1e-3) << mode;
     EXPECT_EQ(Field(image, "NumberOfOcclusionRays"), 0.0) << mode;
+  }
+}
+
+TEST_F(ImageModes, ReceiversHideNoLight)
+{
+  this->ConnectDisc();
+  vtkSmartPointer<vtkPolyData> casters = Disc();
+  vtkNew<vtkIntArray> casting;
+  casting->SetName("OccluderId");
+  casting->InsertNextValue(0);
+  casters->GetCellData()->AddArray(casting);
+  // All of the lamp lies behind the board, which no pixel sees.
+  vtkSmartPointer<vtkPolyData> board = Plane({ -1.5, 1.95, -1.5 }, { 3.0, 0.0, 0.0 }, { 0.0, 0.0, 3.0 });
+  vtkNew<vtkIntArray> receiving;
+  receiving->SetName("OccluderId");
+  for (vtkIdType cell = 0; cell < board->GetNumberOfCells(); ++cell)
+  {
+    receiving->InsertNextValue(-1);
+  }
+  board->GetCellData()->AddArray(receiving);
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(casters);
+  both->AddInputData(board);
+  both->Update();
+  this->Camera->SetPosition(0.0, 0.0, 7.0);
+  this->Camera->SetViewAngle(20.0);
+  for (const int mode : allModes)
+  {
+    this->Filter->SetMode(mode);
+    this->Filter->SetInputData(casters);
+    const auto without = this->Image();
+    this->Filter->SetInputData(both->GetOutput());
+    const auto with = this->Image();
+    ASSERT_GT(Sum(without, "InScattering"), 0.0) << mode;
+    ExpectSameBytes(with, without);
   }
 }
 

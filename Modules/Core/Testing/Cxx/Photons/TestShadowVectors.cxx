@@ -653,6 +653,16 @@ TEST(ClosedOccluders, NeedEveryEdgeBothWays)
   {
     EXPECT_EQ(closed[t], mesh.OccluderIds[t] != 3) << t;
   }
+  // Corners of their own for every triangle, as where normals differ, change nothing.
+  TestMesh apart = mesh;
+  apart.Points.clear();
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    const auto corner = mesh.Points.begin() + 3 * mesh.Triangles[i];
+    apart.Points.insert(apart.Points.end(), corner, corner + 3);
+    apart.Triangles[i] = static_cast<vtkIdType>(i);
+  }
+  EXPECT_EQ(ClosedOccluders(apart.View()), closed);
   // One triangle turned round opens its occluder and no other.
   std::swap(mesh.Triangles[0], mesh.Triangles[1]);
   closed = ClosedOccluders(mesh.View());
