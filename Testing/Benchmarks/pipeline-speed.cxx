@@ -7,7 +7,7 @@
 //   rising    pictures of rising quality: how soon, and how near
 //   umbra     the joint umbra of many discs on grids
 //   fog       images with a density image over those without
-//   pixels    a Guided image of the sphere at growing sizes: how time grows with pixels
+//   pixels    a Guided image of the sphere at growing sizes: how time grows with pixels, and whether claims hold
 //   threads   each stage on one and on two threads, and its loops replayed item by item on more
 //   memory    bytes of what is kept and the largest memory of each stage, against its formula
 #include "BenchmarkScene.h"
@@ -18,6 +18,7 @@
 #include "StageMemory.h"
 #include "ThreadReplay.h"
 
+#include "scRandom.h"
 #include "scUmbraField.h"
 
 #include "vtkCallbackCommand.h"
@@ -34,6 +35,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <ctime>
 #include <exception>
@@ -245,32 +247,95 @@ void MeasureUmbra()
   }
 }
 
+/// Of pixels at random: by how much the image differs from a finer one of another seed, over what both claim, and how
+/// much of its light that is.
+void JudgePixels(SphereRoom& room, int size, int pixels)
+{
+  const auto arrayOf = [&room](const char* name)
+  { return vtkFloatArray::SafeDownCast(room.Image->GetOutput()->GetPointData()->GetArray(name)); };
+  struct Pixel
+  {
+    int I = 0;
+    int J = 0;
+    double Value = 0.0;
+    double Claim = 0.0;
+  };
+  std::vector<Pixel> of;
+  RandomStream random(7, static_cast<std::uint64_t>(size));
+  for (int k = 0; k < pixels; ++k)
+  {
+    Pixel pixel;
+    pixel.I = static_cast<int>(random.Next() * size);
+    pixel.J = static_cast<int>(random.Next() * size);
+    const vtkIdType index = static_cast<vtkIdType>(pixel.J) * size + pixel.I;
+    pixel.Value = static_cast<double>(arrayOf("InScattering")->GetComponent(index, 0));
+    pixel.Claim = pixel.Value * arrayOf("RelativeError")->GetComponent(index, 0);
+    of.push_back(pixel);
+  }
+  const double goal = room.Image->GetRelativeErrorGoal();
+  const int most = room.Image->GetMaximumSamples();
+  room.Image->SetRelativeErrorGoal(0.0); // every pixel on its own
+  room.Image->SetMaximumSamples(1 << 15);
+  room.Image->SetSeed(4711);
+  double ratios = 0.0;
+  double errors = 0.0;
+  double within = 0.0;
+  int count = 0;
+  for (const Pixel& pixel : of)
+  {
+    const int extent[6] = { pixel.I, pixel.I, pixel.J, pixel.J, 0, 0 };
+    room.Image->UpdateExtent(extent);
+    const double truth = arrayOf("InScattering")->GetComponent(0, 0);
+    const double error = truth * arrayOf("RelativeError")->GetComponent(0, 0);
+    if (truth > 0.0 && pixel.Value > 0.0)
+    {
+      const double ratio = (pixel.Value - truth) / std::hypot(pixel.Claim, error);
+      ratios += ratio * ratio;
+      within += std::fabs(ratio) <= 2.0 ? 1.0 : 0.0;
+      errors += std::pow(pixel.Value / truth - 1.0, 2.0);
+      count += 1;
+    }
+  }
+  std::printf("pixels: %d of %d x %d at random: error %.2f %%, %.2f of the claims, %.1f %% within two of them\n", count, size,
+    size, 100.0 * std::sqrt(errors / count), std::sqrt(ratios / count), 100.0 * within / count);
+  std::fflush(stdout);
+  room.Image->SetRelativeErrorGoal(goal);
+  room.Image->SetMaximumSamples(most);
+  room.Image->SetSeed(1);
+}
+
 /// A Guided image, another camera on a scene that stands, at sizes that double. Time grows as the number of pixels to the
 /// exponent that is printed.
-void MeasurePixels(double triangles, int smallest, int largest)
+void MeasurePixels(double triangles, int smallest, int largest, int judged)
 {
   SphereRoom room(triangles);
   room.Image->SetModeToGuided();
+  room.Image->AutoExposureOff(); // single pixels ask for no others
   room.Image->SetResolution(8, 8);
   room.Image->Update(); // the search tree is there
-  double before = 0.0;
+  std::vector<double> counts;
+  std::vector<double> times;
   for (int size = smallest; size <= largest; size *= 2)
   {
     room.Image->SetResolution(size, size);
     const double start = ProcessorSeconds();
     const vtkIdType rays = room.Image->GetNumberOfRaysSent();
     const double seconds = room.Frame();
-    const double used = ProcessorSeconds() - start;
-    std::printf("pixels: %lld triangles, Guided, %d x %d: %.3f s, processor %.3f s, %lld rays",
-      static_cast<long long>(room.Mesh->GetNumberOfCells()), size, size, seconds, used,
-      static_cast<long long>(room.Image->GetNumberOfRaysSent() - rays));
-    if (before > 0.0)
-    {
-      std::printf(", exponent %.2f", std::log(used / before) / std::log(4.0));
-    }
-    std::printf("\n");
+    times.push_back(ProcessorSeconds() - start);
+    counts.push_back(static_cast<double>(size) * size);
+    const vtkIdType sent = room.Image->GetNumberOfRaysSent() - rays;
+    std::printf("pixels: %lld triangles, Guided, %d x %d: %.3f s, processor %.3f s, %.1f rays a pixel\n",
+      static_cast<long long>(room.Mesh->GetNumberOfCells()), size, size, seconds, times.back(),
+      static_cast<double>(sent) / counts.back());
     std::fflush(stdout);
-    before = used;
+    if (judged > 0)
+    {
+      JudgePixels(room, size, judged);
+    }
+  }
+  if (times.size() > 1)
+  {
+    std::printf("pixels: processor time grows as their number to the power of %.2f\n", GrowthExponent(counts, times));
   }
 }
 } // namespace
@@ -283,11 +348,13 @@ int main(int argc, char* argv[])
   int size = 256;
   int points = 257;
   int largest = 1024;
+  int judged = 200;
   std::string scene = "chair";
   commandLine.Add("--rows", rows, "frames, volume, probe, rising, umbra, memory, fog, pixels, threads");
   commandLine.Add("--triangles", triangles, "of the sphere");
   commandLine.Add("--size", size, "width and height of images, pixels");
   commandLine.Add("--largest", largest, "width and height of the largest image for pixels");
+  commandLine.Add("--judged", judged, "pixels of each image whose claims are checked, for pixels");
   commandLine.Add("--points", points, "of a volume along a side");
   commandLine.Add("--scene", scene, "chair, tree, blob or a mesh file, for probes and threads");
   std::vector<std::string> stages = threadStages;
@@ -330,7 +397,7 @@ int main(int argc, char* argv[])
       }
       else if (row == "pixels")
       {
-        MeasurePixels(triangles, size, largest);
+        MeasurePixels(triangles, size, largest, judged);
       }
       else if (row == "threads")
       {

@@ -52,6 +52,8 @@ public:
   bool LooksDark() const { return this->Wanted > 0.0 && this->Ratio.Ratio() == 0.0; }
   /// Did any sample see the lamp?
   bool SeesLight() const { return !this->Passes.empty() && this->Ratio.Ratio() > 0.0; }
+  /// Did any not?
+  bool SeesShadow() const { return !this->Passes.empty() && this->Ratio.Ratio() < 1.0; }
   /// Samples that the look asks for.
   double NumberOfWantedSamples() const { return this->Wanted; }
   /**
@@ -66,6 +68,8 @@ public:
   /// Results of the last estimate: what is left of every group, and of the mean over wavelengths its squared error.
   const std::vector<double>& Left() const { return this->Ratio.Left(); }
   double Variance() const { return this->SquaredError; }
+  double MeanLeft() const { return this->Ratio.MeanLeft(); } ///< over wavelengths
+  double MeanInside() const { return this->Passes.empty() ? 0.0 : this->Intervals.MeanInside(); }
   int NumberOfSamples() const { return this->Samples; }
   vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
   vtkIdType NumberOfLines() const { return 0; }

@@ -18,6 +18,16 @@ constexpr int blockSide = LitMinusBlocked::BlockSide;
 constexpr int darkSamples = 64;
 constexpr int blockSamples = 16;
 constexpr int blockLines = 2;
+/// Samples of a pixel that asks its neighbours: first so many, then as many as make the noise this many times what a pixel
+/// may err by, unless that takes more than the most.
+constexpr int fewestOfLook = 8;
+constexpr double noiseOfLook = 6.0;
+constexpr int mostOfLook = 256;
+/// The random numbers of a look are no other samples'.
+constexpr std::uint64_t numberOfLook = 0x4C6F6F6B;
+/// In smaller images neighbours are not alike, and for a larger goal a pixel's own samples are few.
+constexpr int smallestImage = 48;
+constexpr double largestGoal = 0.02;
 } // anonymous namespace
 
 LitMinusBlocked::LitMinusBlocked(const LitMinusBlockedScene& shared, const PrimaryHits& hits, ScatteringImage& image)
@@ -54,7 +64,133 @@ void LitMinusBlocked::RenderTile(const TileRange& tile)
   }
 }
 
-void LitMinusBlocked::RenderBlock(const TileRange& block)
+bool LitMinusBlocked::LooksAround(const LitMinusBlockedScene& shared)
+{
+  const ScatteringOptions& options = shared.Context.Options;
+  return options.Mode == ScatteringMode::Guided && options.RelativeErrorGoal > 0.0 &&
+    options.RelativeErrorGoal <= largestGoal && !shared.Lines &&
+    std::min(options.Width, options.Height) >= smallestImage;
+}
+
+void LitMinusBlocked::AskNeighbours(const LookedPixels& looked)
+{
+  this->Looked = &looked;
+  this->Neighbours =
+    std::make_unique<SmoothShadow>(looked, this->Groups, this->Options.RelativeErrorGoal, this->Shared.Darkest);
+}
+
+void LitMinusBlocked::LookAtTile(const TileRange& tile, LookedPixels& looked)
+{
+  this->Tile.MoveTo(tile.I0 / LitTile::Side * LitTile::Side, tile.J0 / LitTile::Side * LitTile::Side);
+  for (const TileRange& block : TilesOf({ tile.I0, tile.I1, tile.J0, tile.J1 }, blockSide))
+  {
+    this->BeginBlock(block);
+    this->LookAtBlock(block, fewestOfLook, looked);
+    const int samples = this->SamplesOfBlock(block, looked);
+    if (samples > fewestOfLook)
+    {
+      this->LookAtBlock(block, samples, looked);
+    }
+  }
+}
+
+void LitMinusBlocked::LookAtBlock(const TileRange& block, int samples, LookedPixels& looked)
+{
+  for (int j = block.J0; j <= block.J1; ++j)
+  {
+    for (int i = block.I0; i <= block.I1; ++i)
+    {
+      this->LookAtPixel(i, j, samples, looked);
+    }
+  }
+}
+
+/// As many samples as a block's pixels are to take whose shadows differ; 0: no more than they have. The samples that decide
+/// are no part of what is taken then.
+int LitMinusBlocked::SamplesOfBlock(const TileRange& block, const LookedPixels& looked) const
+{
+  // Mixed differences of neighbours see neither a level nor a slope.
+  double squares = 0.0;
+  double shown = 0.0;
+  double whole = 0.0;
+  int count = 0;
+  for (int j = block.J0; j < block.J1; ++j)
+  {
+    for (int i = block.I0; i < block.I1; ++i)
+    {
+      const LookedPixel* four[4] = { &looked.At(i, j), &looked.At(i + 1, j), &looked.At(i, j + 1),
+        &looked.At(i + 1, j + 1) };
+      if (std::all_of(four, four + 4,
+            [&](const LookedPixel* pixel) { return pixel->Kind >= 0 && pixel->Kind == four[0]->Kind; }))
+      {
+        const double mixed = static_cast<double>(four[0]->Shown - four[1]->Shown - four[2]->Shown + four[3]->Shown);
+        squares += 0.25 * mixed * mixed;
+        shown += static_cast<double>(four[0]->Shown * four[0]->Whole);
+        whole += static_cast<double>(four[0]->Whole);
+        count += 1;
+      }
+    }
+  }
+  if (!(squares > 0.0))
+  {
+    return 0;
+  }
+  const double least = std::max(shown, count * this->Shared.Darkest) / whole;
+  const double noise = std::sqrt(squares / count) / (noiseOfLook * this->Options.RelativeErrorGoal * least);
+  const double samples = fewestOfLook * std::pow(noise, 4.0 / 3.0);
+  return samples > mostOfLook ? 0 : static_cast<int>(std::min<double>(std::ceil(samples), this->Options.MaximumSamples));
+}
+
+void LitMinusBlocked::LookAtPixel(int i, int j, int samples, LookedPixels& looked)
+{
+  LookedPixel& pixel = looked.At(i, j);
+  pixel = LookedPixel();
+  MediumInterval interval;
+  this->Hits.RaysOf(i, j, this->Rays);
+  if (this->Rays.size() != 1)
+  {
+    return; // an edge
+  }
+  this->Tile.Interpolate(i, j, this->Pixel);
+  if (!this->BeginRay(this->Rays.front().Hit, interval) || !(this->Sums.Mean() > 0.0))
+  {
+    return;
+  }
+  this->FindIntervals(this->Pixel.Line, interval);
+  if (!this->Intervals.empty())
+  {
+    this->Sums.Accumulate();
+  }
+  const bool surface = this->Rays.front().Hit.HasSurface() && interval.End >= this->Rays.front().Hit.T;
+  const std::uint64_t seed = HashSeed(this->Options.Seed, PixelIndex(this->Options, i, j));
+  this->Blocked.EstimateFrom(std::min(samples, this->Options.MaximumSamples), this->Sums, this->Intervals,
+    HashSeed(seed, numberOfLook + static_cast<std::uint64_t>(samples)));
+  this->OcclusionRays += this->Blocked.NumberOfOcclusionRays();
+  pixel.Kind = 2 * this->Pixel.Interval.Faces + (surface ? 1 : 0);
+  pixel.Samples = this->Blocked.NumberOfSamples();
+  pixel.Visible = !this->Blocked.SeesShadow() ? pixel.Samples : this->Blocked.SeesLight() ? -1 : 0;
+  pixel.Shown = static_cast<float>(this->Blocked.MeanLeft() / this->Sums.Mean());
+  pixel.Inside = static_cast<float>(this->Blocked.MeanInside());
+  pixel.Whole = static_cast<float>(this->Sums.Mean());
+  pixel.LitError = static_cast<float>(this->LitError());
+  for (std::size_t g = 0; g < this->Left.size(); ++g)
+  {
+    const double whole = this->Sums.Groups()[g];
+    looked.LightOf(i, j)[g] = static_cast<float>(whole);
+    looked.HiddenOf(i, j)[g] = whole > 0.0 ? static_cast<float>(1.0 - this->Blocked.Left()[g] / whole) : 0.0f;
+  }
+}
+
+/// Standard error of the unshadowed light of the ray at hand.
+double LitMinusBlocked::LitError() const
+{
+  const double smallest = LitMinusBlockedScene::DarkestFraction * this->Shared.TypicalMean;
+  const double tableError = this->Shared.Legs ? this->Shared.Legs->ErrorOfRays : 0.0;
+  return (0.5 * this->Pixel.Tolerance + tableError) * std::max(this->Sums.Mean(), smallest);
+}
+
+/// What rays of a block share.
+void LitMinusBlocked::BeginBlock(const TileRange& block)
 {
   // The whole block, also where less of it is asked for: results do not depend on that.
   const int i0 = block.I0 / blockSide * blockSide;
@@ -87,6 +223,15 @@ void LitMinusBlocked::RenderBlock(const TileRange& block)
     }
     this->CellsInShadow = alike ? this->Shared.Grid->CellsInShadow(this->Corners) : ~std::uint64_t(0);
   }
+}
+
+void LitMinusBlocked::RenderBlock(const TileRange& block)
+{
+  this->BeginBlock(block);
+  if (this->Neighbours)
+  {
+    this->Neighbours->MoveTo(this->BlockI, this->BlockJ);
+  }
   for (int j = block.J0; j <= block.J1; ++j)
   {
     for (int i = block.I0; i <= block.I1; ++i)
@@ -98,12 +243,19 @@ void LitMinusBlocked::RenderBlock(const TileRange& block)
 
 void LitMinusBlocked::RenderPixel(int i, int j)
 {
-  const ExtinctionGroups& groups = this->Groups;
+  const auto groups = static_cast<std::size_t>(this->Groups.Count());
+  int samples = this->Looked ? this->Looked->At(i, j).Samples : 0;
+  if (this->Neighbours && this->Neighbours->Of(i, j).Known)
+  {
+    const double* left = this->Neighbours->LeftOf(i, j);
+    this->LeftOfPixel.assign(left, left + groups);
+    this->WritePixel(i, j, this->Neighbours->Of(i, j).Variance, samples);
+    return;
+  }
   const std::uint64_t seed = HashSeed(this->Options.Seed, PixelIndex(this->Options, i, j));
   this->Hits.RaysOf(i, j, this->Rays);
-  this->LeftOfPixel.assign(static_cast<std::size_t>(groups.Count()), 0.0);
+  this->LeftOfPixel.assign(groups, 0.0);
   double variance = 0.0;
-  int samples = 0;
   bool any = false;
   for (std::size_t k = 0; k < this->Rays.size(); ++k)
   {
@@ -121,10 +273,15 @@ void LitMinusBlocked::RenderPixel(int i, int j)
     variance += part.Fraction * part.Fraction * this->Variance;
     samples += this->Samples;
   }
-  if (!any)
+  if (any)
   {
-    return;
+    this->WritePixel(i, j, variance, samples);
   }
+}
+
+void LitMinusBlocked::WritePixel(int i, int j, double variance, int samples)
+{
+  const ExtinctionGroups& groups = this->Groups;
   const std::size_t index = this->Image.IndexOf(i, j);
   this->Image.SampleCount[index] = samples;
   const double mean =
@@ -199,10 +356,7 @@ bool LitMinusBlocked::SeesLight(Estimator& estimator, int count, std::uint64_t s
 template <class Estimator>
 void LitMinusBlocked::EstimateBy(Estimator& estimator, std::uint64_t seed)
 {
-  const double smallest = LitMinusBlockedScene::DarkestFraction * this->Shared.TypicalMean;
-  const double tableError = this->Shared.Legs ? this->Shared.Legs->ErrorOfRays : 0.0;
-  estimator.Look(this->Sums, this->Intervals,
-    { this->Shared.Darkest, (0.5 * this->Pixel.Tolerance + tableError) * std::max(this->Sums.Mean(), smallest) }, seed);
+  estimator.Look(this->Sums, this->Intervals, { this->Shared.Darkest, this->LitError() }, seed);
   const bool dark =
     estimator.LooksDark() && estimator.NumberOfWantedSamples() > darkSamples && this->IsBlockDark();
   estimator.Estimate(dark ? darkSamples : this->Options.MaximumSamples);
@@ -213,12 +367,12 @@ void LitMinusBlocked::EstimateBy(Estimator& estimator, std::uint64_t seed)
   this->ShadowLines += estimator.NumberOfLines();
 }
 
-/// What is left of the light along the ray of Pixel, up to a surface. @return false where the ray has none.
-bool LitMinusBlocked::EstimateRay(const PrimaryHit& hit, std::uint64_t seed)
+/// The unshadowed light along the ray of Pixel, up to a surface. @return false where the ray has none.
+bool LitMinusBlocked::BeginRay(const PrimaryHit& hit, MediumInterval& interval)
 {
   const Ray& ray = this->Pixel.Line;
   const LitInterval& lit = this->Pixel.Interval;
-  const MediumInterval interval = MediumIntervalOf(this->Scene.Medium.Bounds, this->Scene.Occluders, ray, hit);
+  interval = MediumIntervalOf(this->Scene.Medium.Bounds, this->Scene.Occluders, ray, hit);
   if (!interval.Crosses || lit.Empty())
   {
     return false;
@@ -232,6 +386,19 @@ bool LitMinusBlocked::EstimateRay(const PrimaryHit& hit, std::uint64_t seed)
   this->Left = this->Sums.Groups();
   this->Variance = 0.0;
   this->Samples = 0;
+  return true;
+}
+
+/// What is left of it. @return false where the ray has none.
+bool LitMinusBlocked::EstimateRay(const PrimaryHit& hit, std::uint64_t seed)
+{
+  MediumInterval interval;
+  if (!this->BeginRay(hit, interval))
+  {
+    return false;
+  }
+  const Ray& ray = this->Pixel.Line;
+  const LitInterval& lit = this->Pixel.Interval;
   if (this->Options.Mode == ScatteringMode::Guided)
   {
     this->FindIntervals(ray, interval);

@@ -13,6 +13,7 @@
 #include "scLitPixel.h"
 #include "scLitSums.h"
 #include "scLitTile.h"
+#include "scLookedPixels.h"
 #include "scMediumInterval.h"
 #include "scMediumOpticalDepth.h"
 #include "scPixelRay.h"
@@ -22,6 +23,7 @@
 #include "scScatteringImage.h"
 #include "scScatteringOptions.h"
 #include "scScatteringScene.h"
+#include "scSmoothShadow.h"
 #include "scTileRange.h"
 
 #include <array>
@@ -41,14 +43,27 @@ public:
 
   LitMinusBlocked(const LitMinusBlockedScene& shared, const PrimaryHits& hits, ScatteringImage& image);
 
+  /// Does this scene ask pixels' neighbours?
+  static bool LooksAround(const LitMinusBlockedScene& shared);
+  /// Look at the pixels of a tile, each with few samples. The tile lies in one of LitTile's squares.
+  void LookAtTile(const TileRange& tile, LookedPixels& looked);
+  /// From now on pixels ask their neighbours, all of which were looked at; these must outlive this.
+  void AskNeighbours(const LookedPixels& looked);
   /// Pixels of a tile that lies in one of LitTile's squares.
   void RenderTile(const TileRange& tile);
   vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
   vtkIdType NumberOfShadowLines() const { return this->ShadowLines; }
 
 private:
+  void BeginBlock(const TileRange& block);
   void RenderBlock(const TileRange& block);
   void RenderPixel(int i, int j);
+  void WritePixel(int i, int j, double variance, int samples);
+  void LookAtBlock(const TileRange& block, int samples, LookedPixels& looked);
+  void LookAtPixel(int i, int j, int samples, LookedPixels& looked);
+  int SamplesOfBlock(const TileRange& block, const LookedPixels& looked) const;
+  double LitError() const;
+  bool BeginRay(const PrimaryHit& hit, MediumInterval& interval);
   bool EstimateRay(const PrimaryHit& hit, std::uint64_t seed);
   void FindIntervals(const Ray& ray, const MediumInterval& interval);
   bool IsBlockDark();
@@ -73,6 +88,8 @@ private:
   LitSums OtherSums;
   BlockedLight OtherBlocked;
   std::unique_ptr<LinesOfLight> OtherLines;
+  std::unique_ptr<SmoothShadow> Neighbours; ///< nullptr: nobody is asked
+  const LookedPixels* Looked = nullptr;
   std::unique_ptr<ConeBeam> Beam;
   std::vector<RayInterval> Intervals; ///< of the ray at hand where occluders may block
   std::array<LitPixel, 4> Corners; ///< of the block

@@ -43,6 +43,12 @@ public:
   /// @p tile lies inside the extent and one square, aligned to pixel (0, 0) of the whole image.
   void RenderTile(const TileRange& tile);
 
+  /// @name Neighbours: see LitMinusBlocked
+  ///@{
+  void LookAtTile(const TileRange& tile, LookedPixels& looked) { this->Difference->LookAtTile(tile, looked); }
+  void AskNeighbours(const LookedPixels& looked) { this->Difference->AskNeighbours(looked); }
+  ///@}
+
   vtkIdType NumberOfOcclusionRays() const
   {
     return this->OcclusionRays + (this->Difference ? this->Difference->NumberOfOcclusionRays() : 0);

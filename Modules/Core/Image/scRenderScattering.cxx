@@ -4,6 +4,7 @@
 #include "scDensityGrid.h"
 #include "scIndirectLight.h"
 #include "scLightLegsChoice.h"
+#include "scMediumSum.h"
 #include "scMediumTerm.h"
 #include "scPhotonEstimates.h"
 #include "scPhotonMap.h"
@@ -30,6 +31,8 @@ namespace
 {
 /// Of the progress of an image: a varying density is looked at before.
 constexpr double shareOfPreparing = 0.1;
+/// Of the progress of a light's medium term: every pixel is looked at before.
+constexpr double shareOfLook = 0.5;
 /// What a table of the density towards the light may bring into marches, which err by more.
 constexpr LightLegsTolerance marchTolerance{ 2e-3, 4e-3 };
 
@@ -86,6 +89,13 @@ bool Allocate(
     { SetPixels(static_cast<std::size_t>(begin), static_cast<std::size_t>(end), image); });
 }
 
+/// The pixels that are looked at for those of an extent.
+std::array<int, 4> LookedExtent(const std::array<int, 4>& extent, const ScatteringOptions& options)
+{
+  return options.Mode == ScatteringMode::Guided ? LookedPixels::ExtentFor(extent, options.Width, options.Height)
+                                                : extent;
+}
+
 /// One a light; none where the camera is not to see them.
 std::vector<VisibleLight> VisibleLights(const std::vector<ScatteringScene>& scenes, const ScatteringOptions& options)
 {
@@ -122,83 +132,6 @@ std::vector<ScatteringScene> WithPlainMedia(const std::vector<ScatteringScene>& 
   }
   return plain;
 }
-
-/// Adds up the medium terms of lights, of which there is one at least.
-class MediumSum
-{
-public:
-  /// @return false where aborted.
-  bool Add(const ScatteringImage& term, const Monitor& monitor)
-  {
-    const std::size_t pixels = term.RelativeError.size();
-    const auto wavelengths = static_cast<std::size_t>(term.NumberOfWavelengths);
-    const bool first = std::exchange(this->IsEmpty, false);
-    this->InScattering.Resize(pixels * wavelengths);
-    this->Errors.Resize(pixels);
-    this->Samples.Resize(pixels);
-    this->OcclusionRays += term.NumberOfOcclusionRays;
-    this->ShadowLines += term.NumberOfShadowLines;
-    this->ThickRays += term.NumberOfThickRays;
-    this->OpticalDepth = std::max(this->OpticalDepth, term.MarchOpticalDepth);
-    return ParallelFor(static_cast<vtkIdType>(pixels), monitor,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (auto pixel = static_cast<std::size_t>(begin); pixel < static_cast<std::size_t>(end); ++pixel)
-        {
-          for (std::size_t k = pixel * wavelengths; k < (pixel + 1) * wavelengths; ++k)
-          {
-            this->InScattering[k] = (first ? 0.0 : this->InScattering[k]) + term.InScattering[k];
-          }
-          const double error = term.MediumError[pixel];
-          this->Errors[pixel] = error < 0.0 ? HUGE_VAL : (first ? 0.0 : this->Errors[pixel]) + error;
-          this->Samples[pixel] = (first ? 0 : this->Samples[pixel]) + term.SampleCount[pixel];
-        }
-      });
-  }
-
-  /// @return false where aborted.
-  bool Write(const Monitor& monitor, ScatteringImage& image) const
-  {
-    image.NumberOfOcclusionRays += this->OcclusionRays;
-    image.NumberOfShadowLines += this->ShadowLines;
-    image.NumberOfThickRays += this->ThickRays;
-    image.MarchOpticalDepth = std::max(image.MarchOpticalDepth, this->OpticalDepth);
-    return ParallelFor(static_cast<vtkIdType>(this->Errors.size()), monitor,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (auto pixel = static_cast<std::size_t>(begin); pixel < static_cast<std::size_t>(end); ++pixel)
-        {
-          this->WritePixel(pixel, image);
-        }
-      });
-  }
-
-private:
-  void WritePixel(std::size_t pixel, ScatteringImage& image) const
-  {
-    const auto wavelengths = static_cast<std::size_t>(image.NumberOfWavelengths);
-    image.SampleCount[pixel] = this->Samples[pixel];
-    double mean = 0.0;
-    for (std::size_t k = pixel * wavelengths; k < (pixel + 1) * wavelengths; ++k)
-    {
-      image.InScattering[k] = static_cast<float>(this->InScattering[k]);
-      mean += this->InScattering[k] / static_cast<double>(wavelengths);
-    }
-    const double error = this->Errors[pixel];
-    const double relative = mean > 0.0 ? error / mean : (error > 0.0 ? 1.0 : 0.0);
-    image.RelativeError[pixel] = error == HUGE_VAL ? -1.0f : static_cast<float>(relative);
-    image.MediumError[pixel] = error == HUGE_VAL ? -1.0f : static_cast<float>(error);
-  }
-
-  bool IsEmpty = true;
-  PixelArray<double> InScattering;
-  PixelArray<double> Errors; ///< of means over wavelengths; HUGE_VAL: not known
-  PixelArray<int> Samples;
-  vtkIdType OcclusionRays = 0;
-  vtkIdType ShadowLines = 0;
-  vtkIdType ThickRays = 0; ///< summed over lights
-  double OpticalDepth = 0.0;
-};
 
 /// Renders parts of an image; what they share is prepared once. Safe from many threads.
 class ImageRenderer
@@ -293,34 +226,23 @@ bool ImageRenderer::RenderMedium(
   const std::unique_ptr<Prepared> own =
     this->Kept[light] ? nullptr : this->Prepare(light, monitor.Part(0.0, prepared));
   const MediumTerm::Shared shared = (own ? own : this->Kept[light])->Shared();
-  // A square's blocks go together: they share its unshadowed light.
-  std::vector<TileRange> blocks;
-  std::vector<vtkIdType> squares;
-  for (const TileRange& square : TilesOf(image.Extent, MediumTerm::SquareSide(this->Options.Mode)))
+  MediumTerms terms(context, shared, hits, image);
+  Monitor rest = monitor.Part(prepared, 1.0);
+  std::unique_ptr<LookedPixels> looked;
+  if (shared.Lit && LitMinusBlocked::LooksAround(*shared.Lit))
   {
-    squares.push_back(static_cast<vtkIdType>(blocks.size()));
-    const std::vector<TileRange> inside =
-      TilesOf({ square.I0, square.I1, square.J0, square.J1 }, MediumTerm::BlockSide(this->Options.Mode));
-    blocks.insert(blocks.end(), inside.begin(), inside.end());
-  }
-  squares.push_back(static_cast<vtkIdType>(blocks.size()));
-  std::mutex gathering;
-  std::vector<std::shared_ptr<MediumTerm>> terms; // one a thread
-  const bool finished = ParallelForGroups(squares, monitor.Part(prepared, 1.0),
-    [&]() -> ItemBody
+    looked = std::make_unique<LookedPixels>(LookedExtent(image.Extent, this->Options), context.Groups.Count());
+    if (!terms.ForTiles(looked->GetExtent(), rest.Part(0.0, shareOfLook),
+          [&looked](MediumTerm& term, const TileRange& tile) { term.LookAtTile(tile, *looked); }))
     {
-      const auto term = std::make_shared<MediumTerm>(context, shared, hits, image);
-      const std::lock_guard<std::mutex> lock(gathering);
-      terms.push_back(term);
-      return [term, &blocks](vtkIdType block) { term->RenderTile(blocks[static_cast<std::size_t>(block)]); };
-    });
-  for (const auto& term : terms)
-  {
-    image.NumberOfOcclusionRays += term->NumberOfOcclusionRays();
-    image.NumberOfShadowLines += term->NumberOfShadowLines();
-    image.NumberOfThickRays += term->NumberOfThickRays();
-    image.MarchOpticalDepth = std::max(image.MarchOpticalDepth, term->MarchOpticalDepth());
+      return false;
+    }
+    terms.AskNeighbours(*looked);
+    rest = rest.Part(shareOfLook, 1.0);
   }
+  const bool finished =
+    terms.ForTiles(image.Extent, rest, [](MediumTerm& term, const TileRange& tile) { term.RenderTile(tile); });
+  terms.AddCounts();
   return finished;
 }
 
@@ -454,7 +376,7 @@ bool ImageRenderer::AddIndirect(const std::vector<std::unique_ptr<const PrimaryH
 bool ImageRenderer::Render(const std::array<int, 4>& extent, const Monitor& monitor, ScatteringImage& image,
   std::unique_ptr<const PrimaryHits>& hits) const
 {
-  auto traced = std::make_unique<PrimaryHits>(this->Scenes.front(), this->Options, extent, this->Visible);
+  auto traced = std::make_unique<PrimaryHits>(this->Scenes.front(), this->Options, LookedExtent(extent, this->Options), this->Visible);
   const bool finished = Allocate(extent, this->Scenes.front().Light.Spectrum.size(), monitor.Part(0.0, 0.01), image) &&
     traced->Trace(monitor.Part(0.01, 0.05)) && this->RenderMedia(*traced, monitor.Part(0.05, 0.8), image) &&
     this->Shade(*traced, monitor.Part(0.8, 1.0), image);
