@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Give bytes that libFuzzer finds to whatever reads data and texts of strangers, with the sanitizers for addresses and undefined behaviour:
 # sh Utilities/fuzz.sh [--seconds N] [--runs N] [HARNESS]...    default: 60 seconds of each harness; with --runs alone no limit of time
-# Harnesses: words options field-data light mesh vectors cone-set volume density (Testing/Fuzz).
+# Harnesses: words options field-data light mesh chain vectors cone-set volume density (Testing/Fuzz).
 # Inputs that broke something lie in build-fuzz/found; mend it, and add them with Testing/Fuzz/corpus.py.
 set -eu
 . "$(dirname "$0")/setup.sh"
@@ -23,7 +23,7 @@ while [ $# -gt 0 ]; do
     *) break ;;
   esac
 done
-[ $# -gt 0 ] || set -- words options field-data light mesh vectors cone-set volume density
+[ $# -gt 0 ] || set -- words options field-data light mesh chain vectors cone-set volume density
 
 install_packages build fuzz
 cd "$root"
@@ -47,10 +47,11 @@ for harness in "$@"; do
   corpus="$root/build-fuzz/corpus/$harness"
   mkdir -p "$corpus" "$root/build-fuzz/seeds/$harness"
   dictionary="$root/Testing/Fuzz/$harness.dict"
-  options="-max_len=$length -timeout=20 -rss_limit_mb=3000 -print_final_stats=1 -max_total_time=$seconds -runs=$runs"
+  options="-max_len=$length -timeout=120 -rss_limit_mb=3000 -print_final_stats=1 -max_total_time=$seconds -runs=$runs"
   if [ -e "$dictionary" ]; then
     options="$options -dict=$dictionary"
   fi
+  # The limit of an input is by the clock: long enough for a machine that others use too.
   log="$root/build-fuzz/$harness.log"
   # shellcheck disable=SC2086
   SHADOWCONES_HARNESS=$harness "build-fuzz/bin/$program" $options -artifact_prefix="$found/$harness-" \

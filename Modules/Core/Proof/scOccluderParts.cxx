@@ -15,6 +15,11 @@ constexpr vtkIdType fanOut = 4;
 constexpr vtkIdType mostRoots = 2048; ///< nodes that are searched side by side
 /// Occluders are cut to edges of the square root of this share of their area, so that few large triangles make enough parts.
 constexpr double areaFraction = 1.0 / 3000.0;
+/// The area of slivers says nothing of their length: they are cut into so many pieces in all, and as many more a triangle.
+constexpr double mostPieces = 30000.0;
+constexpr double mostPiecesOfTriangle = 81.0;
+/// log2(3): a needle is cut into three of half its length.
+constexpr double piecesOfNeedle = 1.585;
 /// Where cones hold a part of a triangle, edges are cut to this share of the largest base radius there.
 constexpr double radiusFraction = 0.35;
 /// Parts near a light are cut to this share of their distance from it, and no finer than nearestFraction of the light's radius.
@@ -230,12 +235,15 @@ OccluderParts::OccluderParts(const TriangleMeshView& mesh, const Light& light, c
   , Margin(margins)
 {
   double area = 0.0;
+  double needles = 0.0; // pieces of length 1, if all were needles
   for (vtkIdType i = 0; i < mesh.NumberOfTriangles; ++i)
   {
     const auto corners = CornersOf(mesh, i);
     area += 0.5 * Length(Cross(corners[1] - corners[0], corners[2] - corners[0]));
+    needles += std::pow(SquaredEdge(corners, LongestEdge(corners)), 0.5 * piecesOfNeedle);
   }
-  this->LargestEdge = std::sqrt(areaFraction * area);
+  const double pieces = mostPieces + mostPiecesOfTriangle * static_cast<double>(mesh.NumberOfTriangles);
+  this->LargestEdge = std::max(std::sqrt(areaFraction * area), std::pow(needles / pieces, 1.0 / piecesOfNeedle));
   this->BuildNodes();
 }
 

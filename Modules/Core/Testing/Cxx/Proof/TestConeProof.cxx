@@ -6,6 +6,8 @@
 #include "TestLights.h"
 #include "TestMeshes.h"
 #include "scConeProofCheck.h"
+#include "scOccluderParts.h"
+#include "scProofMargins.h"
 #include "scProvedSet.h"
 
 #include "vtkSMPTools.h"
@@ -320,6 +322,27 @@ TEST(ConeProof, WhatHasNoConeIsHeldByABox)
     std::vector<Cone> less = proof.Cones;
     less.back().BaseRadius *= 0.5;
     EXPECT_FALSE(Check(square, light, less, proof.CertifiedBounds).Proved);
+  }
+}
+
+TEST(ConeProof, SliversAreNotCutToTheirWidth)
+{
+  // Edges by area alone make a million pieces of the first, and no end of the second.
+  for (const auto& corners : { std::array<Vector3, 2>{ { { 1e9, 0.0, 1.0 }, { 0.0, 6.0, 1.0 } } },
+         std::array<Vector3, 2>{ { { 6.0, 0.0, 1.0 }, { 3.0, 1e-12, 1.0 } } } })
+  {
+    TestMesh mesh;
+    mesh.AddPoint({ 0.0, 0.0, 1.0 });
+    mesh.AddPoint(corners[0]);
+    mesh.AddPoint(corners[1]);
+    mesh.AddTriangle(0, 1, 2, 0);
+    const Light light = PointLight({ 0.0, 0.0, 3.0 });
+    const OccluderParts parts(mesh.View(), light, ProofMarginsOf(MeshBounds(mesh.View())));
+    std::vector<OccluderPart> pieces;
+    vtkIdType proved = 0;
+    ASSERT_TRUE(parts.FindUnproved({}, {}, pieces, proved));
+    EXPECT_GT(pieces.size(), 1000u);
+    EXPECT_LT(pieces.size(), 200000u);
   }
 }
 
