@@ -119,13 +119,15 @@ void ListRuns(const std::uint64_t (&bits)[2], const RayInterval& whole, std::vec
       bin = (bin / 64 + 1) * 64;
     }
   };
-  for (next(true); bin < bins; next(true))
+  next(true);
+  while (bin < bins)
   {
     RayInterval run;
     run.Begin = whole.Begin + length * bin / bins;
     next(false);
     run.End = bin < bins ? whole.Begin + length * bin / bins : whole.End;
     runs.push_back(run);
+    next(true);
   }
 }
 } // anonymous namespace

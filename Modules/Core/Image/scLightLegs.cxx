@@ -78,8 +78,7 @@ bool LightLegs::Fit(const Light& light)
 }
 
 LightLegs::LightLegs(const Light& light, const Medium& medium, double cells)
-  : Lamp(light)
-  , Air(medium)
+  : Air(medium)
   , AtInfinity(IsAtInfinity(light))
   , Center(AtInfinity ? -light.Normal : light.Center)
   , Region(RegionOf(medium))

@@ -87,7 +87,6 @@ private:
   std::array<float, NumberOfNodes> WeightsOf(const Vector3& offset) const;
   float MeanTowards(const Vector3& point, int node) const;
 
-  const Light& Lamp;
   const Medium& Air;
   const bool AtInfinity;
   Vector3 Center; ///< of the light; of a light at infinity, the direction towards it

@@ -267,7 +267,7 @@ SHADOWCONES_WIDE unsigned int LineShadows::Touched(const Node& node, const Plane
       (t[2][2] * z + std::fabs(t[2][2]) * hz);
     const float c = (t[3][0] * x + std::fabs(t[3][0]) * hx) + (t[3][1] * y + std::fabs(t[3][1]) * hy) +
       (t[3][2] * z + std::fabs(t[3][2]) * hz);
-    touched[k] = (std::fabs(height) <= reach) & (a >= t[1][3]) & (b >= t[2][3]) & (c >= t[3][3]) ? 1 << k : 0;
+    touched[k] = ((std::fabs(height) <= reach) & (a >= t[1][3]) & (b >= t[2][3]) & (c >= t[3][3])) ? 1 << k : 0;
   }
   unsigned int bits = 0;
   for (int k = 0; k < Width; ++k)
@@ -345,7 +345,7 @@ SHADOWCONES_WIDE unsigned int LineShadows::CrossPlane(const Group& group, const 
     crossings.End[k] = end;
     const bool crosses = (sum == 1.0) | (sum == -1.0);
     hides[k] =
-      crosses & (highest > nearest) & (lowest < farthest) & (end > plane.Begin) & (begin < plane.End) & (h - h == 0.0)
+      (crosses & (highest > nearest) & (lowest < farthest) & (end > plane.Begin) & (begin < plane.End) & (h - h == 0.0))
       ? 1.0
       : 0.0;
   }

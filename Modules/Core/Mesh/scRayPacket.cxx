@@ -31,7 +31,7 @@ SHADOWCONES_WIDE void SetNearRays(const OccluderCell& cell, const Vector3& start
   {
     const double distance = std::sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]);
     const double inverse = 1.0 / distance;
-    inverses[k] = (distance > 0.0) & (distance <= largest) ? inverse : 0.0;
+    inverses[k] = ((distance > 0.0) & (distance <= largest)) ? inverse : 0.0;
     ends[k] = scale * distance + 2.0 * OccluderCells::RayMargin;
     directions[0][k] = x[k] * inverses[k];
     directions[1][k] = y[k] * inverses[k];
@@ -80,7 +80,7 @@ SHADOWCONES_WIDE void SetFreeRays(
       const double d = world.Directions[axis][k];
       const double a = (low - o) / d;
       const double b = (high - o) / d;
-      const double past = (o < low) | (o > high) ? HUGE_VAL : -HUGE_VAL; // of a ray along the faces
+      const double past = ((o < low) | (o > high)) ? HUGE_VAL : -HUGE_VAL; // of a ray along the faces
       const double near = d == 0.0 ? past : a < b ? a : b;
       const double far = d == 0.0 ? HUGE_VAL : a < b ? b : a;
       begin[k] = near > begin[k] ? near : begin[k];

@@ -39,7 +39,7 @@ SHADOWCONES_WIDE std::uint64_t PlanarSurfelMask(const PlanarSurfel& surfel, cons
   {
     const double disc = d0 + a[k] * (d1 + d3 * a[k] + d4 * b[k]) + b[k] * (d2 + d5 * b[k]);
     const double between = b0 + b1 * a[k] + b2 * b[k];
-    mask |= (disc <= 0.0) & (between < 0.0) ? table.Bits[k] : 0;
+    mask |= ((disc <= 0.0) & (between < 0.0)) ? table.Bits[k] : 0;
   }
   return mask;
 }
@@ -65,7 +65,7 @@ SHADOWCONES_WIDE std::uint64_t GeneralSurfelMask(
     const double e2 = q2 * along - height * z[k];
     const double disc = e0 * e0 + e1 * e1 + e2 * e2 - square * along * along;
     const double between = height * (start + along);
-    mask |= (disc <= 0.0) & (between < 0.0) ? table.Bits[k] : 0;
+    mask |= ((disc <= 0.0) & (between < 0.0)) ? table.Bits[k] : 0;
   }
   return mask;
 }
