@@ -5,7 +5,7 @@ set -eu
 . "$(dirname "$0")/setup.sh"
 
 install_packages build demo test
-build_project -DSHADOWCONES_BUILD_TESTING=ON -DSHADOWCONES_BUILD_EXAMPLES=ON
+build_project -DSHADOWCONES_BUILD_TESTING=ON -DSHADOWCONES_BUILD_EXAMPLES=ON -DSHADOWCONES_WARNINGS_AS_ERRORS=ON
 (cd "$build" && ctest --output-on-failure -j2 "$@")
 # The plugin is a build of its own for another VTK: it is tested where it has been built.
 sh "$root/Utilities/paraview.sh" --if-there
