@@ -6,6 +6,7 @@
 #include "scLightLegsChoice.h"
 #include "scMediumSum.h"
 #include "scMediumTerm.h"
+#include "scMediumTerms.h"
 #include "scPhotonEstimates.h"
 #include "scPhotonMap.h"
 #include "scPrimaryHits.h"
