@@ -45,13 +45,13 @@ def add_medium(bounds, sigma):
     add_mesh("medium", corners, faces, fog)
 
 
-def add_lamp(center, radius, radiance):
+def add_lamp(center, radius, radiance, bounces):
     """A disc that faces down. Its radiance is energy / (pi size^2)."""
     lamp = bpy.data.lights.new("lamp", "AREA")
     lamp.shape = "DISK"
     lamp.size = 2.0 * radius
     lamp.energy = radiance * np.pi * lamp.size ** 2
-    lamp.cycles.max_bounces = 0
+    lamp.cycles.max_bounces = bounces
     thing = bpy.data.objects.new("lamp", lamp)
     thing.matrix_world = Matrix(((1, 0, 0, center[0]), (0, 0, 1, center[1]), (0, -1, 0, center[2]), (0, 0, 0, 1)))
     thing.visible_camera = False
@@ -67,8 +67,8 @@ def add_camera(position, right, up, back, angle):
     bpy.context.scene.camera = thing
 
 
-def set_up(size, threads):
-    """Single scattering, rays through pixel centres, every sample spent."""
+def set_up(size, threads, bounces, seed):
+    """Rays through pixel centres, every sample spent."""
     scene = bpy.context.scene
     scene.world = bpy.data.worlds.new("dark")
     scene.world.color = (0.0, 0.0, 0.0)
@@ -83,7 +83,9 @@ def set_up(size, threads):
     cycles.device = "CPU"
     cycles.use_adaptive_sampling = False
     cycles.use_denoising = False
-    cycles.max_bounces = cycles.volume_bounces = cycles.diffuse_bounces = 0
+    cycles.max_bounces = cycles.volume_bounces = cycles.diffuse_bounces = bounces
+    cycles.transparent_max_bounces = 8 + 4 * bounces  # the border of the fog is one whenever a path passes it
+    cycles.seed = seed
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
     cycles.light_sampling_threshold = 0.0
     cycles.filter_width = 0.01
@@ -106,12 +108,12 @@ def main():
     room_file, out_file, *samples = sys.argv[sys.argv.index("--") + 1:]
     room = np.load(room_file)
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    black = material_of("black", "ShaderNodeBsdfDiffuse", "Surface", {"Color": (0.0, 0.0, 0.0, 1.0)})
-    add_mesh("room", room["points"], room["triangles"], black)
+    grey = material_of("grey", "ShaderNodeBsdfDiffuse", "Surface", {"Color": 3 * (float(room["reflectance"]),) + (1.0,)})
+    add_mesh("room", room["points"], room["triangles"], grey)
     add_medium(room["bounds"], float(room["sigma"]))
-    add_lamp(room["lamp"], float(room["radius"]), 1.0)
+    add_lamp(room["lamp"], float(room["radius"]), 1.0, int(room["bounces"]))
     add_camera(room["position"], room["right"], room["up"], room["back"], float(room["angle"]))
-    set_up(int(room["size"]), int(room["threads"]))
+    set_up(*(int(room[name]) for name in ("size", "threads", "bounces", "seed")))
     with tempfile.TemporaryDirectory() as folder:
         render(1, folder)  # what is loaded once is loaded then
         images, seconds = zip(*(render(int(count), folder) for count in samples))

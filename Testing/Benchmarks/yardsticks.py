@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Other renderers on the room of the benchmarks: seconds of the fog's picture at equal error, and how far pictures agree.
+"""Other renderers on the room of the benchmarks: seconds of the fog's picture at equal error, and how far pictures agree. With --bounces
+surfaces are grey, light bounces, and the pictures of photon maps and of Cycles are compared: fog and surfaces together.
 
 Runs Cycles (package blender) and POV-Ray (package povray) where they are installed, and says which are not.
 """
@@ -58,6 +59,7 @@ def described(mesh, size, threads):
         "bounds": bounds, "sigma": SIGMA, "lamp": np.array(LAMP), "radius": RADIUS,
         "position": np.array(camera.GetPosition()), "right": right, "up": np.cross(back, right), "back": back,
         "angle": vtkMath.RadiansFromDegrees(camera.GetViewAngle()), "size": size, "threads": threads,
+        "reflectance": 0.0, "bounces": 0, "seed": 0,
     }
 
 
@@ -91,17 +93,69 @@ def own_picture(image, goal, seed, most=1024):
     return vtk_to_numpy(image.GetOutput().GetPointData().GetArray("InScattering"))[:, 0].reshape(size, size), seconds
 
 
-def cycles_pictures(room, folder):
+def bounced_picture(mesh, arguments, seed):
+    """Radiance, and what medium and surfaces have of it."""
+    image = own_filter(mesh, arguments.size)
+    photons = sc.vtkPhotonMapFilter()
+    photons.SetInputData(mesh)
+    photons.SetLightConnection(image.GetInputConnection(1, 0))
+    photons.SetMediumBounds(*scenes.MEDIUM_BOUNDS)
+    photons.SetSigmaS(SIGMA)
+    photons.SetReflectance(arguments.reflectance)
+    photons.SetNumberOfPhotons(arguments.photons)
+    photons.SetMaximumBounces(arguments.bounces)
+    photons.SetSeed(seed)
+    image.SetPhotonMapConnection(photons.GetOutputPort(0))
+    image.AddPhotonMapConnection(photons.GetOutputPort(1))
+    image.SetReflectance(arguments.reflectance)
+    image.SetNumberOfSurfaceLightSamples(64)
+    image.SetRelativeErrorGoal(0.005)
+    image.SetSeed(seed)
+    processor = time.process_time()
+    image.Update()
+    seconds = time.process_time() - processor
+    values = image.GetOutput().GetPointData()
+    pictures = {name: vtk_to_numpy(values.GetArray(name))[:, 0].reshape(arguments.size, -1).astype(float)
+                for name in ("Radiance", "InScattering", "SurfaceRadiance", "MultipleScattering", "IndirectSurface")}
+    return pictures, seconds
+
+
+def compare_bounces(mesh, room, arguments):
+    """Two pictures of each renderer: half their difference is the noise of their mean."""
+    ours, seconds = zip(*(bounced_picture(mesh, arguments, seed) for seed in (1, 2)))
+    room.update(reflectance=arguments.reflectance, bounces=arguments.bounces)
+    theirs, cycles_seconds = [], 0.0
+    with tempfile.TemporaryDirectory() as folder:
+        for seed in (1, 2):
+            room["seed"] = seed
+            (_, picture, spent), = cycles_pictures(room, folder, (arguments.samples,))
+            theirs.append(picture.astype(float))
+            cycles_seconds += spent[0]
+    for name in ours[0]:
+        print(f"{name:<20} mean {np.mean([pictures[name].mean() for pictures in ours]):.5f}")
+    own, other = ([coarse(p) for p in pair] for pair in ([pictures["Radiance"] for pictures in ours], theirs))
+    noises = [np.sqrt(np.mean((a - b) ** 2)) / 2.0 / ((a + b) / 2.0).mean() for a, b in (own, other)]
+    mean_noises = [abs(a.mean() - b.mean()) / (a.mean() + b.mean()) for a, b in (own, other)]
+    a, b = sum(own) / 2.0, sum(other) / 2.0
+    print(f"ours over Cycles: mean {a.mean() / b.mean() - 1.0:+.2%} (noise {mean_noises[0]:.2%} and {mean_noises[1]:.2%})")
+    print(f"8 x 8 pixels: root mean square {error_of(a, b):.2%} (noise {noises[0]:.2%} and {noises[1]:.2%})")
+    print(f"seconds of the processor: ours {sum(seconds):.1f}, Cycles {cycles_seconds:.1f}")
+    print("ours over Cycles in percent, from the upper row of blocks on:")
+    for row in (100.0 * (a / b - 1.0))[::-1]:
+        print("".join(f"{value:+7.1f}" for value in row))
+
+
+def cycles_pictures(room, folder, samples=CYCLES_SAMPLES):
     room_file, out_file = os.path.join(folder, "room.npz"), os.path.join(folder, "cycles.npz")
     np.savez(room_file, **room)
     script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "yardstick_cycles.py")
     done = subprocess.run(["blender", "-b", "--factory-startup", "-P", script, "--", room_file, out_file,
-                           *map(str, CYCLES_SAMPLES)], capture_output=True, text=True, check=False)
+                           *map(str, samples)], capture_output=True, text=True, check=False)
     if not os.path.exists(out_file):
         raise SystemExit("blender gave no pictures:\n" + done.stdout[-2000:] + done.stderr[-2000:])
     found = np.load(out_file)
     return [(f"{count} samples", image, seconds)
-            for count, image, seconds in zip(CYCLES_SAMPLES, found["images"], found["seconds"])]
+            for count, image, seconds in zip(samples, found["images"], found["seconds"])]
 
 
 def error_of(picture, truth):
@@ -157,9 +211,18 @@ def main():
     parser.add_argument("--scene", default="chair", help="a mesh of Data/: chair, tree or blob")
     parser.add_argument("--size", type=int, default=128, help="pixels along a side")
     parser.add_argument("--threads", type=int, default=2, help="of the other renderers")
+    parser.add_argument("--bounces", type=int, help="grey surfaces, and as many bounces after the first, in Cycles and ours alone")
+    parser.add_argument("--reflectance", type=float, default=0.6, help="with --bounces: of the surfaces")
+    parser.add_argument("--photons", type=int, default=1000000, help="with --bounces: photons of a picture of ours")
+    parser.add_argument("--samples", type=int, default=256, help="with --bounces: samples of a pixel of Cycles")
     arguments = parser.parse_args()
     mesh = room_of(arguments.scene)
     room = described(mesh, arguments.size, arguments.threads)
+    if arguments.bounces is not None:
+        if not shutil.which("blender"):
+            raise SystemExit("There is no program blender (Debian: package blender).")
+        compare_bounces(mesh, room, arguments)
+        return
     image = own_filter(mesh, arguments.size)
     truth = np.mean([own_picture(image, 0.001, seed, 1 << 16)[0] for seed in (101, 102)], axis=0)
     curves = {"ours, first image": [(f"goal {goal}", *own_picture(image, goal, 1)) for goal in GOALS]}
