@@ -3,7 +3,7 @@
 //
 //   direct   the photons around the point say its irradiance, what the image does; asked with those of a tile of 8 x 8 pixels
 //   gather   N rays with the cosine's density read a map that has the light straight from the lamp too: the surfaces that they
-//            meet by the 32 photons nearest there, the medium on their way by discs of as many
+//            meet by the 32 photons nearest there, for rays average noise, the medium on their way by discs of as many
 //
 // The truth is path tracing with a ray to the lamp at every vertex, in plain code. Errors are root mean squares over the mean, the
 // noise of the truth taken off. Seconds are the processor's: to trace and prepare a map, and with that for so many points as
@@ -172,8 +172,8 @@ std::vector<Place> VisiblePlaces(const GreyRoom& room, const Camera& camera, int
   return places;
 }
 
-/// For direct estimates, or for gathering: there rays average noise, and few neighbours blur little.
-double PrepareMap(const GreyRoom& room, vtkIdType photons, bool gathers, PhotonEstimates& estimates)
+/// For direct estimates, or for gathering, which needs the light straight from the lamp too. @param neighbours 0: automatic.
+double PrepareMap(const GreyRoom& room, vtkIdType photons, bool gathers, int neighbours, PhotonEstimates& estimates)
 {
   const double start = ProcessorSeconds();
   PhotonMapOptions options;
@@ -182,7 +182,7 @@ double PrepareMap(const GreyRoom& room, vtkIdType photons, bool gathers, PhotonE
   options.SurfaceReflectance = room.Reflectance;
   PhotonMap map;
   TracePhotonMap({ room.Fast, room.Lights, room.Medium }, options, {}, map);
-  PreparePhotonEstimates(std::move(map.Surface), std::move(map.Volume), gathers ? 32 : 0, 1, {}, estimates);
+  PreparePhotonEstimates(std::move(map.Surface), std::move(map.Volume), neighbours, 1, {}, estimates);
   return ProcessorSeconds() - start;
 }
 
@@ -287,17 +287,20 @@ void PrintMedium(const GreyRoom& room, const Camera& camera, int count, int path
   std::fprintf(stderr, "SigmaS %g: noise of the truth %.3f\n", room.Medium.SigmaS.front(), std::sqrt(variance) / mean);
   for (const vtkIdType photons : { 10000, 100000, 1000000, 4000000 })
   {
-    PhotonEstimates indirect;
-    const double seconds = PrepareMap(room, photons, false, indirect);
-    SurfacePacket packet;
-    PrintRow(room, photons, "direct", seconds, places, 64,
-      [&](const Place& place) { return InTile(indirect, place, packet); });
+    for (const int neighbours : { 0, 64, 256 })
+    {
+      PhotonEstimates indirect;
+      const double seconds = PrepareMap(room, photons, false, neighbours, indirect);
+      SurfacePacket packet;
+      PrintRow(room, photons, neighbours > 0 ? "direct, k = " + std::to_string(neighbours) : "direct", seconds, places, 64,
+        [&](const Place& place) { return InTile(indirect, place, packet); });
+    }
     if (photons > 1000000)
     {
       continue;
     }
     PhotonEstimates all;
-    const double secondsOfAll = PrepareMap(room, photons, true, all);
+    const double secondsOfAll = PrepareMap(room, photons, true, 32, all);
     Gather gather(room, all);
     for (const int rays : { 16, 64, 256 })
     {
