@@ -141,44 +141,44 @@ bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& e
   return true;
 }
 
-void WriteShadowVectors(const ShadowVectors& vectors, vtkPolyData* output)
+void WriteShadowVectors(ShadowVectors& vectors, vtkPolyData* output)
 {
-  SetVertices(output, vectors.Points);
+  SetVertices(output, std::exchange(vectors.Points, {}));
   vtkPointData* data = output->GetPointData();
-  AddFloatArray(data, "Direction", 3, vectors.Directions);
-  AddFloatArray(data, "Normal", 3, vectors.Normals);
-  AddIntArray(data, "OccluderId", 1, vectors.OccluderIds);
-  AddDoubleArray(data, "EmissionPoint", 3, vectors.EmissionPoints);
-  AddFloatArray(data, "PathLength", 1, vectors.PathLengths);
-  AddFloatArray(data, "Thickness", 1, vectors.Thicknesses);
-  AddIdArray(data, "PhotonIndex", vectors.PhotonIndices);
-  AddIntArray(data, "LightId", 1, vectors.LightIds);
+  AddFloatArray(data, "Direction", 3, std::exchange(vectors.Directions, {}));
+  AddFloatArray(data, "Normal", 3, std::exchange(vectors.Normals, {}));
+  AddIntArray(data, "OccluderId", 1, std::exchange(vectors.OccluderIds, {}));
+  AddDoubleArray(data, "EmissionPoint", 3, std::exchange(vectors.EmissionPoints, {}));
+  AddFloatArray(data, "PathLength", 1, std::exchange(vectors.PathLengths, {}));
+  AddFloatArray(data, "Thickness", 1, std::exchange(vectors.Thicknesses, {}));
+  AddIdArray(data, "PhotonIndex", std::exchange(vectors.PhotonIndices, {}));
+  AddIntArray(data, "LightId", 1, std::exchange(vectors.LightIds, {}));
 }
 
-void WritePhotonPaths(const PhotonPaths& paths, vtkPolyData* output)
+void WritePhotonPaths(PhotonPaths& paths, vtkPolyData* output)
 {
-  SetVertices(output, paths.Points);
+  SetVertices(output, std::exchange(paths.Points, {}));
   vtkPointData* data = output->GetPointData();
-  AddIntArray(data, "PathState", 1, paths.States);
-  AddIntArray(data, "OccluderId", 1, paths.OccluderIds);
-  AddDoubleArray(data, "EmissionPoint", 3, paths.EmissionPoints);
-  AddFloatArray(data, "Direction", 3, paths.Directions);
-  AddFloatArray(data, "Power", 1, paths.Powers);
-  AddIdArray(data, "PhotonIndex", paths.PhotonIndices);
-  AddIntArray(data, "LightId", 1, paths.LightIds);
+  AddIntArray(data, "PathState", 1, std::exchange(paths.States, {}));
+  AddIntArray(data, "OccluderId", 1, std::exchange(paths.OccluderIds, {}));
+  AddDoubleArray(data, "EmissionPoint", 3, std::exchange(paths.EmissionPoints, {}));
+  AddFloatArray(data, "Direction", 3, std::exchange(paths.Directions, {}));
+  AddFloatArray(data, "Power", 1, std::exchange(paths.Powers, {}));
+  AddIdArray(data, "PhotonIndex", std::exchange(paths.PhotonIndices, {}));
+  AddIntArray(data, "LightId", 1, std::exchange(paths.LightIds, {}));
 }
 
-void WriteShadowPhotons(const ShadowPhotons& photons, vtkPolyData* output)
+void WriteShadowPhotons(ShadowPhotons& photons, vtkPolyData* output)
 {
-  SetVertices(output, photons.Points);
+  SetVertices(output, std::exchange(photons.Points, {}));
   vtkPointData* data = output->GetPointData();
-  AddFloatArray(data, "Normal", 3, photons.Normals);
-  AddFloatArray(data, "Direction", 3, photons.Directions);
-  AddFloatArray(data, "Power", 1, photons.Powers);
-  AddIntArray(data, "OccluderId", 1, photons.OccluderIds);
-  AddIntArray(data, "ReceiverId", 1, photons.ReceiverIds);
-  AddIdArray(data, "PhotonIndex", photons.PhotonIndices);
-  AddIntArray(data, "LightId", 1, photons.LightIds);
+  AddFloatArray(data, "Normal", 3, std::exchange(photons.Normals, {}));
+  AddFloatArray(data, "Direction", 3, std::exchange(photons.Directions, {}));
+  AddFloatArray(data, "Power", 1, std::exchange(photons.Powers, {}));
+  AddIntArray(data, "OccluderId", 1, std::exchange(photons.OccluderIds, {}));
+  AddIntArray(data, "ReceiverId", 1, std::exchange(photons.ReceiverIds, {}));
+  AddIdArray(data, "PhotonIndex", std::exchange(photons.PhotonIndices, {}));
+  AddIntArray(data, "LightId", 1, std::exchange(photons.LightIds, {}));
 }
 
 void WriteLabelledVectors(

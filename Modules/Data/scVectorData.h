@@ -57,10 +57,10 @@ struct SHADOWCONESDATA_EXPORT PhotonPathArrays
  */
 SHADOWCONESDATA_EXPORT bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& error);
 
-/// Write the documented arrays of shadow vectors, photon paths and shadow photons, a vertex each.
-SHADOWCONESDATA_EXPORT void WriteShadowVectors(const ShadowVectors& vectors, vtkPolyData* output);
-SHADOWCONESDATA_EXPORT void WritePhotonPaths(const PhotonPaths& paths, vtkPolyData* output);
-SHADOWCONESDATA_EXPORT void WriteShadowPhotons(const ShadowPhotons& photons, vtkPolyData* output);
+/// Write the documented arrays of shadow vectors, photon paths and shadow photons, a vertex each. What is written is freed.
+SHADOWCONESDATA_EXPORT void WriteShadowVectors(ShadowVectors& vectors, vtkPolyData* output);
+SHADOWCONESDATA_EXPORT void WritePhotonPaths(PhotonPaths& paths, vtkPolyData* output);
+SHADOWCONESDATA_EXPORT void WriteShadowPhotons(ShadowPhotons& photons, vtkPolyData* output);
 
 /// Write the vectors of @p input that the piece holds, with all their arrays and the cone of each, "ConeId".
 SHADOWCONESDATA_EXPORT void WriteLabelledVectors(

@@ -174,6 +174,7 @@ int vtkShadowVectorFilter::RequestData(
     return run.Fail(Sentence("Tracing photons failed: ", exception.what()));
   }
 
+  Warnings warnings = piece.NumberOfPieces == 1 ? ReportPhotons(mesh, options, result) : Warnings();
   WriteShadowVectors(result.Vectors, vtkPolyData::GetData(outputVector, 0));
   WritePhotonPaths(result.Paths, vtkPolyData::GetData(outputVector, 1));
   WriteShadowPhotons(result.Photons, vtkPolyData::GetData(outputVector, 2));
@@ -191,7 +192,6 @@ int vtkShadowVectorFilter::RequestData(
     WriteFingerprints(castersFingerprint, { prepared->CastersFingerprint }, field);
     WriteLights(lights.Lights, output);
   }
-  Warnings warnings = piece.NumberOfPieces == 1 ? ReportPhotons(mesh, options, result) : Warnings();
   warnings.Add(lights.Warnings);
   warnings.Say(this);
   return 1;

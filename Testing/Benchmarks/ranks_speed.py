@@ -135,7 +135,7 @@ def model(step, single, link, ranks):
 
 def draw(path, single, link):
     """Speed-up of each step over processes, both axes logarithmic."""
-    from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
+    from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartLegend, vtkChartXY
     from vtkmodules.vtkCommonCore import vtkFloatArray
     from vtkmodules.vtkCommonDataModel import vtkTable
     from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -170,6 +170,7 @@ def draw(path, single, link):
         axis.SetTitle(title)
         axis.LogScaleOn()
     chart.SetShowLegend(True)
+    chart.GetLegend().SetHorizontalAlignment(vtkChartLegend.LEFT)
     view.Render()
     grab = vtkWindowToImageFilter()
     grab.SetInput(view.GetRenderWindow())

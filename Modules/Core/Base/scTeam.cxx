@@ -45,12 +45,16 @@ void TeamJoin::Pack(std::vector<unsigned char>& bytes) const
   std::size_t size = 0;
   for (const Array& array : this->Arrays)
   {
-    size += static_cast<std::size_t>(array.OwnSize()) * array.ItemSize;
+    size += array.IsPacked() ? static_cast<std::size_t>(array.OwnSize()) * array.ItemSize : 0;
   }
   bytes.resize(size);
   unsigned char* to = bytes.data();
   for (const Array& array : this->Arrays)
   {
+    if (!array.IsPacked())
+    {
+      continue;
+    }
     const vtkIdType own = array.OwnSize();
     const auto* from = static_cast<const unsigned char*>(array.Resize(own));
     const std::size_t tuple = array.ItemSize * static_cast<std::size_t>(array.Components);
@@ -74,6 +78,11 @@ void TeamJoin::Unpack(const std::vector<unsigned char>& bytes, const std::vector
   std::vector<unsigned char*> targets;
   for (std::size_t a = 0; a < count; ++a)
   {
+    if (!this->Arrays[a].IsPacked())
+    {
+      targets.push_back(nullptr);
+      continue;
+    }
     vtkIdType all = 0;
     for (int rank = 0; rank < ranks; ++rank)
     {
@@ -87,6 +96,10 @@ void TeamJoin::Unpack(const std::vector<unsigned char>& bytes, const std::vector
     for (std::size_t a = 0; a < count; ++a)
     {
       const Array& array = this->Arrays[a];
+      if (!array.IsPacked())
+      {
+        continue;
+      }
       const auto size = static_cast<std::size_t>(sizes[static_cast<std::size_t>(rank) * count + a]) * array.ItemSize;
       const std::size_t tuple = array.ItemSize * static_cast<std::size_t>(array.Components);
       for (vtkIdType k = 0; array.Share && k < array.Share->Of(rank); ++k)
@@ -104,32 +117,59 @@ void TeamJoin::Unpack(const std::vector<unsigned char>& bytes, const std::vector
   }
 }
 
+void TeamJoin::CheckSizes(const std::vector<vtkIdType>& sizes) const
+{
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    const Array& array = this->Arrays[i % this->Arrays.size()];
+    const int rank = static_cast<int>(i / this->Arrays.size());
+    if (array.Share && sizes[i] != array.Share->Of(rank) * array.Components)
+    {
+      throw std::runtime_error("process " + std::to_string(rank) + " has other inputs or parameters");
+    }
+  }
+}
+
+TeamJoin::Parcel TeamJoin::ParcelOf(
+  const std::vector<vtkIdType>& sizes, const std::function<bool(std::size_t)>& isIn) const
+{
+  Parcel parcel;
+  parcel.Lengths.assign(static_cast<std::size_t>(this->Members->GetSize()), 0);
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    const std::size_t a = i % this->Arrays.size();
+    const vtkIdType bytes = isIn(a) ? sizes[i] * static_cast<vtkIdType>(this->Arrays[a].ItemSize) : 0;
+    parcel.Lengths[i / this->Arrays.size()] += bytes;
+    parcel.Total += bytes;
+  }
+  return parcel;
+}
+
 void TeamJoin::Exchange(const std::vector<vtkIdType>& ownSizes)
 {
   // What may fail for lack of memory in one process is done before a meeting, which tells the others.
   std::vector<unsigned char> own;
   std::vector<unsigned char> all;
   std::vector<vtkIdType> sizes;
-  std::vector<vtkIdType> lengths(static_cast<std::size_t>(this->Members->GetSize()), 0);
+  Parcel packed;
+  std::vector<Parcel> others(this->Arrays.size());
+  std::vector<void*> places(this->Arrays.size(), nullptr);
   std::exception_ptr thrown;
   try
   {
     sizes = this->Members->GatherNumbers(ownSizes);
-    vtkIdType total = 0;
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-    {
-      const std::size_t a = i % this->Arrays.size();
-      const int rank = static_cast<int>(i / this->Arrays.size());
-      const Array& array = this->Arrays[a];
-      if (array.Share && sizes[i] != array.Share->Of(rank) * array.Components)
-      {
-        throw std::runtime_error("process " + std::to_string(rank) + " has other inputs or parameters");
-      }
-      lengths[i / this->Arrays.size()] += sizes[i] * static_cast<vtkIdType>(this->Arrays[a].ItemSize);
-      total += sizes[i] * static_cast<vtkIdType>(this->Arrays[a].ItemSize);
-    }
+    this->CheckSizes(sizes);
+    packed = this->ParcelOf(sizes, [this](std::size_t a) { return this->Arrays[a].IsPacked(); });
     this->Pack(own);
-    all.resize(static_cast<std::size_t>(total));
+    all.resize(static_cast<std::size_t>(packed.Total));
+    for (std::size_t a = 0; a < this->Arrays.size(); ++a)
+    {
+      if (!this->Arrays[a].IsPacked())
+      {
+        others[a] = this->ParcelOf(sizes, [a](std::size_t b) { return a == b; });
+        places[a] = this->Arrays[a].Resize(others[a].Total / static_cast<vtkIdType>(this->Arrays[a].ItemSize));
+      }
+    }
   }
   catch (...)
   {
@@ -141,8 +181,20 @@ void TeamJoin::Exchange(const std::vector<vtkIdType>& ownSizes)
     std::rethrow_exception(thrown);
   }
   GoesOn(states);
-  this->Members->GatherBytes(own.data(), lengths, all.data());
+  if (packed.Total > 0)
+  {
+    this->Members->GatherBytes(own.data(), packed.Lengths, all.data());
+  }
   own = {};
+  for (std::size_t a = 0; a < this->Arrays.size(); ++a)
+  {
+    if (others[a].Total > 0)
+    {
+      const auto* from = static_cast<const unsigned char*>(this->Arrays[a].Own(false));
+      this->Members->GatherBytes(from, others[a].Lengths, static_cast<unsigned char*>(places[a]));
+      this->Arrays[a].Own(true);
+    }
+  }
   this->Unpack(all, sizes);
 }
 

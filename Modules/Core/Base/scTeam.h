@@ -103,7 +103,33 @@ public:
         values.resize(static_cast<std::size_t>(size));
         return values.data();
       },
-      nullptr, 1 });
+      nullptr, 1, nullptr });
+  }
+  /**
+   * Each process has a part of this array, in @p own; then all have all parts behind what is in @p all, in order of ranks. They go
+   * from place to place without being packed, for arrays that are large; own is freed.
+   */
+  template <typename T>
+  void Append(std::vector<T>& own, std::vector<T>& all)
+  {
+    static_assert(std::is_trivially_copyable_v<T>, "bytes");
+    this->Arrays.push_back({ sizeof(T),
+      [&own] { return static_cast<vtkIdType>(own.size()); },
+      [&all](vtkIdType size) -> void*
+      {
+        const std::size_t before = all.size();
+        all.resize(before + static_cast<std::size_t>(size));
+        return all.data() + before;
+      },
+      nullptr, 1,
+      [&own](bool isSent) -> const void*
+      {
+        if (isSent)
+        {
+          own = {};
+        }
+        return own.data();
+      } });
   }
   /// Each process has filled in its items of this array, with so many values each; then all have all. Of an empty array: nothing.
   template <typename T>
@@ -113,7 +139,7 @@ public:
     if (!values.empty())
     {
       this->Arrays.push_back({ sizeof(T), [&share, components] { return share.Own() * components; },
-        [&values](vtkIdType) -> void* { return values.data(); }, &share, components });
+        [&values](vtkIdType) -> void* { return values.data(); }, &share, components, nullptr });
     }
   }
 
@@ -131,9 +157,20 @@ private:
     std::function<void*(vtkIdType)> Resize; ///< to so many values of all; where they are
     const TeamShare* Share;                 ///< nullptr: parts follow each other
     vtkIdType Components;
+    std::function<const void*(bool isSent)> Own; ///< of those that are not packed: the own part, freed once it is sent
+
+    bool IsPacked() const { return !this->Own; }
+  };
+  /// Bytes that go from all to all.
+  struct Parcel
+  {
+    std::vector<vtkIdType> Lengths; ///< of each process
+    vtkIdType Total = 0;
   };
 
   void Exchange(const std::vector<vtkIdType>& ownSizes);
+  void CheckSizes(const std::vector<vtkIdType>& sizes) const;
+  Parcel ParcelOf(const std::vector<vtkIdType>& sizes, const std::function<bool(std::size_t)>& isIn) const;
   void Pack(std::vector<unsigned char>& bytes) const;
   void Unpack(const std::vector<unsigned char>& bytes, const std::vector<vtkIdType>& sizes) const;
 

@@ -4,7 +4,9 @@
 #include "scScarceOccluders.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 #include <vector>
 
@@ -24,6 +26,8 @@ struct AimedBundle
   vtkIdType Photons = 0;
   std::vector<vtkIdType> Vectors; ///< of each id
   ShadowVectorResult Found;
+  std::array<vtkIdType, numberOfPhotonItems> Items{}; ///< that were found
+  double SolidAngle = 0.0;
 
   vtkIdType Fewest() const { return *std::min_element(this->Vectors.begin(), this->Vectors.end()); }
   vtkIdType Most() const { return *std::max_element(this->Vectors.begin(), this->Vectors.end()); }
@@ -45,6 +49,15 @@ struct AimedBundle
         ++this->Vectors[static_cast<std::size_t>(found - this->Ids.begin())];
       }
     }
+  }
+  /// Take note of what was found, which may go elsewhere then.
+  void CountItems()
+  {
+    this->Items = { static_cast<vtkIdType>(this->Found.Vectors.PhotonIndices.size()),
+      static_cast<vtkIdType>(this->Found.Paths.PhotonIndices.size()),
+      static_cast<vtkIdType>(this->Found.Photons.PhotonIndices.size()) };
+    this->SolidAngle = this->Found.MeanSolidAngle;
+    this->Found.MeanSolidAngle = 0.0;
   }
   /// Forget what was found.
   void Restart()
@@ -204,38 +217,48 @@ private:
   bool IsPoor = false;
 };
 
-/// The bundles of this process: a range of all, so that what each process finds joins in order.
-struct OwnBundles
+/// Which bundles a process has.
+using BundleDeal = std::vector<std::vector<std::size_t>>;
+
+/// In turn: nobody knows yet how many photons each takes.
+BundleDeal DealInTurn(const Team* team, std::size_t count)
 {
-  OwnBundles(const Team* team, std::vector<AimedBundle>& all)
+  BundleDeal deal(static_cast<std::size_t>(team ? team->GetSize() : 1));
+  for (std::size_t k = 0; k < count; ++k)
   {
-    const auto count = static_cast<vtkIdType>(all.size());
-    const int rank = team ? team->GetRank() : 0;
-    const int size = team ? team->GetSize() : 1;
-    this->First = all.data() + PieceBound(count, rank, size);
-    this->Last = all.data() + PieceBound(count, rank + 1, size);
+    deal[k % deal.size()].push_back(k);
   }
+  return deal;
+}
 
-  /// Run @p body for each, in parallel. @return false where aborted.
-  template <typename Body>
-  bool ForEach(const Monitor& monitor, const Body& body) const
+/// Ranges of about as much work each, so that what each process finds joins in order.
+BundleDeal DealInRanges(const Team* team, const std::vector<AimedBundle>& aimed, const PhotonBundles& bundles)
+{
+  BundleDeal deal(static_cast<std::size_t>(team ? team->GetSize() : 1));
+  std::vector<double> ends;
+  for (std::size_t k = 0; k < aimed.size(); ++k)
   {
-    return ParallelFor(this->Last - this->First, monitor,
-      [&](vtkIdType first, vtkIdType last) { std::for_each(this->First + first, this->First + last, body); });
+    // Whose path a photon has is asked of one bundle after the other.
+    constexpr double ownWork = 256.0;
+    const double before = ends.empty() ? 0.0 : ends.back();
+    ends.push_back(before + (ownWork + static_cast<double>(k)) * static_cast<double>(bundles.PhotonsOf(aimed[k].Bundle)));
   }
+  for (std::size_t k = 0; k < aimed.size(); ++k)
+  {
+    const double middle = 0.5 * (ends[k] + (k > 0 ? ends[k - 1] : 0.0));
+    const double rank = ends.back() > 0.0 ? middle / ends.back() * static_cast<double>(deal.size()) : 0.0;
+    deal[std::min(static_cast<std::size_t>(rank), deal.size() - 1)].push_back(k);
+  }
+  return deal;
+}
 
-  AimedBundle* First;
-  AimedBundle* Last;
-};
-
-/// What bundles of a process have, to be sent to the others.
-struct BundleArrays
+/// What is known of each bundle behind its photons, to be sent to the others.
+struct BundleNumbers
 {
   std::vector<vtkIdType> Photons;
   std::vector<vtkIdType> Vectors;
   std::vector<vtkIdType> Items; ///< that were found: of vectors, paths and shadow photons
   std::vector<double> SolidAngles;
-  ShadowVectorResult Found;
 
   void Add(TeamJoin& join)
   {
@@ -243,71 +266,73 @@ struct BundleArrays
     join.Add(this->Vectors);
     join.Add(this->Items);
     join.Add(this->SolidAngles);
-    AddPhotons(join, this->Found);
   }
-  void Pack(const AimedBundle& bundle, bool withFound)
+  void Pack(const AimedBundle& bundle)
   {
     this->Photons.push_back(bundle.Photons);
     this->Vectors.insert(this->Vectors.end(), bundle.Vectors.begin(), bundle.Vectors.end());
-    if (withFound)
-    {
-      const ShadowVectorResult& found = bundle.Found;
-      for (const auto* indices : { &found.Vectors.PhotonIndices, &found.Paths.PhotonIndices, &found.Photons.PhotonIndices })
-      {
-        this->Items.push_back(static_cast<vtkIdType>(indices->size()));
-      }
-      this->SolidAngles.push_back(found.MeanSolidAngle);
-      Append(this->Found, found);
-    }
+    this->Items.insert(this->Items.end(), bundle.Items.begin(), bundle.Items.end());
+    this->SolidAngles.push_back(bundle.SolidAngle);
   }
-  void Unpack(std::vector<AimedBundle>& aimed) const
+  void Unpack(std::vector<AimedBundle>& aimed, const BundleDeal& deal) const
   {
+    std::size_t bundle = 0;
     std::size_t vector = 0;
-    vtkIdType begin[numberOfPhotonItems] = { 0, 0, 0 };
-    for (std::size_t i = 0; i < aimed.size(); ++i)
+    for (const std::vector<std::size_t>& ofRank : deal)
     {
-      aimed[i].Photons = this->Photons[i];
-      for (vtkIdType& vectors : aimed[i].Vectors)
+      for (const std::size_t k : ofRank)
       {
-        vectors = this->Vectors[vector++];
-      }
-      if (!this->Items.empty())
-      {
-        const vtkIdType* items = this->Items.data() + numberOfPhotonItems * i;
-        aimed[i].Found = {};
-        aimed[i].Found.MeanSolidAngle = this->SolidAngles[i];
-        ForEachArray(aimed[i].Found, this->Found,
-          [&](int item, int components, auto& to, const auto& from)
-          {
-            const auto first = from.begin() + begin[item] * components;
-            to.assign(first, first + items[item] * components);
-          });
-        for (int item = 0; item < numberOfPhotonItems; ++item)
+        aimed[k].Photons = this->Photons[bundle];
+        aimed[k].SolidAngle = this->SolidAngles[bundle];
+        const auto items = this->Items.begin() + static_cast<std::ptrdiff_t>(numberOfPhotonItems * bundle);
+        std::copy(items, items + numberOfPhotonItems, aimed[k].Items.begin());
+        ++bundle;
+        for (vtkIdType& vectors : aimed[k].Vectors)
         {
-          begin[item] += items[item];
+          vectors = this->Vectors[vector++];
         }
       }
     }
   }
 };
 
-/// Run @p body for each bundle, each process its own. Then all have all, with what was found or without. @return false where aborted.
+/**
+ * Run @p body for each bundle, each process its own. Then all know of all how many photons and vectors they have, and
+ * @p result, where there is one, has what was found, in order. @return false where aborted.
+ */
 template <typename Body>
-bool ForEachBundle(
-  std::vector<AimedBundle>& aimed, Team* team, bool withFound, const Monitor& monitor, const Body& body)
+bool ForEachBundle(std::vector<AimedBundle>& aimed, Team* team, const BundleDeal& deal, ShadowVectorResult* result,
+  const Monitor& monitor, const Body& body)
 {
-  const OwnBundles own(team, aimed);
   const bool several = AreSeveral(team);
-  BundleArrays arrays;
+  const std::vector<std::size_t>& own = deal[static_cast<std::size_t>(several ? team->GetRank() : 0)];
+  BundleNumbers numbers;
+  ShadowVectorResult found;
   TeamJoin join(team);
-  arrays.Add(join);
+  numbers.Add(join);
+  if (result)
+  {
+    AddPhotons(join, found, *result);
+  }
   const auto work = [&]
   {
-    const bool done = own.ForEach(monitor, body);
-    for (const AimedBundle* bundle = own.First; several && bundle != own.Last; ++bundle)
+    const bool done = ParallelFor(static_cast<vtkIdType>(own.size()), monitor,
+      [&](vtkIdType first, vtkIdType last)
+      { std::for_each(own.begin() + first, own.begin() + last, [&](std::size_t k) { body(aimed[k]); }); });
+    std::vector<ShadowVectorResult*> ranges;
+    for (const std::size_t k : own)
     {
-      team->Count(bundle->Photons);
-      arrays.Pack(*bundle, withFound);
+      aimed[k].CountItems();
+      numbers.Pack(aimed[k]);
+      ranges.push_back(&aimed[k].Found);
+      if (several)
+      {
+        team->Count(aimed[k].Photons);
+      }
+    }
+    if (done && result)
+    {
+      AppendAll(several ? found : *result, ranges);
     }
     return done;
   };
@@ -315,10 +340,7 @@ bool ForEachBundle(
   {
     return false;
   }
-  if (several)
-  {
-    arrays.Unpack(aimed);
-  }
+  numbers.Unpack(aimed, deal);
   return true;
 }
 
@@ -347,19 +369,25 @@ std::vector<AimedBundle> MakeBundles(const CasterBoxes& casters, const std::vect
   return aimed;
 }
 
-/// Number what a bundle found, and add it.
-void Keep(AimedBundle& bundle, PhotonBundles& bundles, ShadowVectorResult& result)
+/// Number what the bundles found, which lies there one behind the other.
+void NumberPhotons(const std::vector<AimedBundle>& aimed, PhotonBundles& bundles, ShadowVectorResult& result)
 {
-  bundles.SetPhotons(bundle.Bundle, bundle.Photons);
-  const vtkIdType first = bundles.FirstPhoton(bundle.Bundle);
-  for (std::vector<vtkIdType>* indices :
-    { &bundle.Found.Vectors.PhotonIndices, &bundle.Found.Paths.PhotonIndices, &bundle.Found.Photons.PhotonIndices })
+  std::vector<vtkIdType>* const all[numberOfPhotonItems] = { &result.Vectors.PhotonIndices, &result.Paths.PhotonIndices,
+    &result.Photons.PhotonIndices };
+  std::size_t done[numberOfPhotonItems] = { 0, 0, 0 };
+  for (const AimedBundle& bundle : aimed)
   {
-    std::for_each(indices->begin(), indices->end(), [first](vtkIdType& index) { index += first; });
+    bundles.SetPhotons(bundle.Bundle, bundle.Photons);
+    const vtkIdType first = bundles.FirstPhoton(bundle.Bundle);
+    for (std::size_t item = 0; item < numberOfPhotonItems; ++item)
+    {
+      const auto from = all[item]->begin() + static_cast<std::ptrdiff_t>(done[item]);
+      std::for_each(from, from + bundle.Items[item], [first](vtkIdType& index) { index += first; });
+      done[item] += static_cast<std::size_t>(bundle.Items[item]);
+    }
+    result.NumberOfScarce += std::count_if(bundle.Vectors.begin(), bundle.Vectors.end(),
+      [&](vtkIdType vectors) { return vectors > 0 && vectors < result.MinimumVectors; });
   }
-  Append(result, bundle.Found);
-  result.NumberOfScarce += std::count_if(bundle.Vectors.begin(), bundle.Vectors.end(),
-    [&](vtkIdType vectors) { return vectors > 0 && vectors < result.MinimumVectors; });
 }
 } // anonymous namespace
 
@@ -387,7 +415,7 @@ bool TraceAimedPhotons(const PhotonTracing& tracing, const TriangleMeshView& mes
       bundle.Trace(tracing, first, std::min(batch, bundle.MostPhotons - bundle.Photons));
     }
   };
-  if (!ForEachBundle(aimed, tracing.Workers, false, monitor.Part(0.1, 0.4),
+  if (!ForEachBundle(aimed, tracing.Workers, DealInTurn(tracing.Workers, aimed.size()), nullptr, monitor.Part(0.1, 0.4),
         [&](AimedBundle& bundle) { traceUntil(bundle, otherPhotons, (goal.Vectors + 1) / 2); }))
   {
     return false;
@@ -411,21 +439,23 @@ bool TraceAimedPhotons(const PhotonTracing& tracing, const TriangleMeshView& mes
       traceUntil(bundle, 0, goal.Vectors);
     }
   };
-  if (!ForEachBundle(aimed, tracing.Workers, true, monitor.Part(0.4, 1.0), trace))
+  const BundleDeal deal = DealInRanges(tracing.Workers, aimed, tracing.Bundles);
+  if (!ForEachBundle(aimed, tracing.Workers, deal, &result, monitor.Part(0.4, 1.0), trace))
   {
     return false;
   }
   result.MinimumVectors = goal.Asked();
   bool isKnown = true;
-  for (AimedBundle& bundle : aimed)
+  NumberPhotons(aimed, tracing.Bundles, result);
+  for (const AimedBundle& bundle : aimed)
   {
+    result.MeanSolidAngle += bundle.SolidAngle;
     if (bundle.Fewest() > 0 && bundle.Fewest() < goal.Asked())
     {
       const vtkIdType photons = goal.PhotonsFor(bundle, aimed.size());
       isKnown = isKnown && photons > 0;
       result.PhotonsForScarce = std::max(result.PhotonsForScarce, photons);
     }
-    Keep(bundle, tracing.Bundles, result);
   }
   // So many were not enough.
   const auto more = static_cast<vtkIdType>(std::ceil(1.5 * static_cast<double>(options.NumberOfPhotons)));

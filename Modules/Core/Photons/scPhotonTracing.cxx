@@ -11,16 +11,37 @@ namespace
 constexpr vtkIdType photonsPerTask = 1024;
 } // anonymous namespace
 
-void Append(ShadowVectorResult& result, const ShadowVectorResult& more)
+void AppendAll(ShadowVectorResult& result, const std::vector<ShadowVectorResult*>& ranges)
 {
-  ForEachArray(result, more,
-    [](int, int, auto& values, const auto& added) { values.insert(values.end(), added.begin(), added.end()); });
-  result.MeanSolidAngle += more.MeanSolidAngle;
+  std::size_t more[numberOfPhotonItems] = { 0, 0, 0 };
+  for (const ShadowVectorResult* range : ranges)
+  {
+    more[0] += range->Vectors.PhotonIndices.size();
+    more[1] += range->Paths.PhotonIndices.size();
+    more[2] += range->Photons.PhotonIndices.size();
+  }
+  ForEachArray(result, result,
+    [&more](int item, int components, auto& values, auto&)
+    {
+      const std::size_t needed = values.size() + more[item] * static_cast<std::size_t>(components);
+      if (needed > values.capacity())
+      {
+        // Not twice what there is, which would be the peak of memory; but more than needed where many ranges follow.
+        values.reserve(std::max(needed, values.capacity() + values.capacity() / 4));
+      }
+    });
+  for (ShadowVectorResult* range : ranges)
+  {
+    ForEachArray(result, *range,
+      [](int, int, auto& values, const auto& added) { values.insert(values.end(), added.begin(), added.end()); });
+    result.MeanSolidAngle += range->MeanSolidAngle;
+    *range = {};
+  }
 }
 
-void AddPhotons(TeamJoin& join, ShadowVectorResult& result)
+void AddPhotons(TeamJoin& join, ShadowVectorResult& own, ShadowVectorResult& all)
 {
-  ForEachArray(result, result, [&join](int, int, auto& values, auto&) { join.Add(values); });
+  ForEachArray(own, all, [&join](int, int, auto& part, auto& values) { join.Append(part, values); });
 }
 
 bool PhotonTracing::TraceRange(vtkIdType begin, vtkIdType end, const Monitor& monitor, ShadowVectorResult& result) const
@@ -34,7 +55,7 @@ bool PhotonTracing::TraceRange(vtkIdType begin, vtkIdType end, const Monitor& mo
   ShadowVectorResult found;
   std::vector<double> solidAngles;
   TeamJoin join(this->Workers);
-  AddPhotons(join, found);
+  AddPhotons(join, found, result);
   join.Add(solidAngles);
   const auto traceOwn = [&]
   {
@@ -52,13 +73,16 @@ bool PhotonTracing::TraceRange(vtkIdType begin, vtkIdType end, const Monitor& mo
           }
         }
       });
-    ShadowVectorResult& to = AreSeveral(this->Workers) ? found : result;
-    for (std::size_t task = 0; finished && task < parts.size(); ++task)
+    std::vector<ShadowVectorResult*> ranges;
+    for (ShadowVectorResult& part : parts)
     {
-      solidAngles.push_back(parts[task].MeanSolidAngle);
-      parts[task].MeanSolidAngle = 0.0;
-      Append(to, parts[task]);
-      parts[task] = {};
+      solidAngles.push_back(part.MeanSolidAngle);
+      part.MeanSolidAngle = 0.0;
+      ranges.push_back(&part);
+    }
+    if (finished)
+    {
+      AppendAll(AreSeveral(this->Workers) ? found : result, ranges);
     }
     return finished;
   };
@@ -69,10 +93,6 @@ bool PhotonTracing::TraceRange(vtkIdType begin, vtkIdType end, const Monitor& mo
   if (!join.Run(traceOwn))
   {
     return false;
-  }
-  if (AreSeveral(this->Workers))
-  {
-    Append(result, found);
   }
   for (const double solidAngle : solidAngles)
   {

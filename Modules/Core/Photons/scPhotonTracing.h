@@ -12,6 +12,8 @@
 #include "scShadowVectors.h"
 #include "scTeam.h"
 
+#include <vector>
+
 namespace shadowcones
 {
 
@@ -66,10 +68,10 @@ void ForEachArray(A& a, B& b, const Visitor& visit)
   visit(2, 1, a.Photons.LightIds, b.Photons.LightIds);
 }
 
-/// What photons of a later range left behind, after what is there.
-void Append(ShadowVectorResult& result, const ShadowVectorResult& more);
-/// Join all that photons left behind in each process, but for sums.
-void AddPhotons(TeamJoin& join, ShadowVectorResult& result);
+/// Append the results of ranges that follow each other, and free them.
+void AppendAll(ShadowVectorResult& result, const std::vector<ShadowVectorResult*>& ranges);
+/// Join all that photons left behind in each process behind what is there, but for sums.
+void AddPhotons(TeamJoin& join, ShadowVectorResult& own, ShadowVectorResult& all);
 
 } // namespace shadowcones
 
