@@ -7,6 +7,7 @@
 #define scGuardedRequest_h
 
 #include "ShadowConesDataModule.h"
+#include "scSentence.h"
 
 #include <exception>
 #include <new>
@@ -33,7 +34,7 @@ int GuardRequest(
   }
   catch (const std::bad_alloc&)
   {
-    return FailRequest(algorithm, request, outputVector, "there is not enough memory; ask for less, or of less.");
+    return FailRequest(algorithm, request, outputVector, notEnoughMemory);
   }
   catch (const std::exception& exception)
   {

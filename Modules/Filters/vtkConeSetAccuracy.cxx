@@ -278,7 +278,7 @@ int vtkConeSetAccuracy::RequestData(
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Measuring the accuracy failed: ", exception.what()));
+    return run.Fail(Sentence("Measuring the accuracy failed: ", ReasonOf(exception)));
   }
 
   const AccuracyReport report = TallyAccuracy(out.Truth, out.Predictions, in.Cones, this->NumberOfDepthBins);

@@ -316,7 +316,7 @@ int vtkConeSetFilter::RequestData(
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Fitting cones failed: ", exception.what()));
+    return run.Fail(Sentence("Fitting cones failed: ", ReasonOf(exception)));
   }
 
   const PieceRequest piece = RequestedPiece(request, outputVector);

@@ -284,7 +284,7 @@ int vtkConeSetProbe::RequestData(
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Probing failed: ", exception.what()));
+    return run.Fail(Sentence("Probing failed: ", ReasonOf(exception)));
   }
 
   const bool atCells = this->Association == Cells;

@@ -125,7 +125,7 @@ int vtkLabelOccluders::RequestData(
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(exception.what());
+    return run.Fail(ReasonOf(exception));
   }
   if (topology.InputTriangles.empty() && !given.Mesh.SourceCells.empty())
   {

@@ -391,7 +391,7 @@ int vtkPenumbraWidth::RequestData(
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Measuring the penumbra failed: ", exception.what()));
+    return run.Fail(Sentence("Measuring the penumbra failed: ", ReasonOf(exception)));
   }
   vtkPolyData* places = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* widths = vtkPolyData::GetData(outputVector, 1);

@@ -204,12 +204,12 @@ int vtkPhotonMapFilter::RequestData(
   }
   catch (const std::length_error& exception)
   {
-    return run.Fail(Sentence("Tracing photons failed: ", exception.what(),
+    return run.Fail(Sentence("Tracing photons failed: ", ReasonOf(exception),
       ". Lower NumberOfPhotons or MaximumBounces, or raise MaximumStoredPhotons where there is memory."));
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Tracing photons failed: ", exception.what()));
+    return run.Fail(Sentence("Tracing photons failed: ", ReasonOf(exception)));
   }
 
   WritePhotons(map.Surface, PhotonMapKind::Surface, vtkPolyData::GetData(outputVector, 0));

@@ -162,7 +162,7 @@ int vtkShadowFootprints::RequestData(
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Finding the footprints failed: ", exception.what()));
+    return run.Fail(Sentence("Finding the footprints failed: ", ReasonOf(exception)));
   }
   vtkPolyData* outlines = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* areas = vtkPolyData::GetData(outputVector, 1);

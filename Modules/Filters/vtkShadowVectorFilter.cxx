@@ -171,7 +171,7 @@ int vtkShadowVectorFilter::RequestData(
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Tracing photons failed: ", exception.what()));
+    return run.Fail(Sentence("Tracing photons failed: ", ReasonOf(exception)));
   }
 
   Warnings warnings = piece.NumberOfPieces == 1 ? ReportPhotons(mesh, options, result) : Warnings();

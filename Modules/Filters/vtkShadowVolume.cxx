@@ -554,7 +554,7 @@ int vtkShadowVolume::RequestData(
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Building the solids failed: ", exception.what()));
+    return run.Fail(Sentence("Building the solids failed: ", ReasonOf(exception)));
   }
   in.Said.Add(in.Lights.Warnings);
   in.Said.Add(OccludersWithoutSurface(work.Surfaces - work.WithSurface, work.Surfaces));

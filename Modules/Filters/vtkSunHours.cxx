@@ -171,7 +171,7 @@ int vtkSunHours::RequestData(
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Counting hours failed: ", exception.what()));
+    return run.Fail(Sentence("Counting hours failed: ", ReasonOf(exception)));
   }
 
   const bool atCells = this->Association == Cells;

@@ -324,7 +324,7 @@ bool vtkScatteringImageFilter::RenderMissing(
   }
   catch (const std::exception& exception)
   {
-    error = Sentence("Rendering failed: ", exception.what(), ".");
+    error = Sentence("Rendering failed: ", ReasonOf(exception), ".");
     return false;
   }
   for (const ScatteringImage& image : images)

@@ -6,6 +6,7 @@
 #include "scImageOutput.h"
 #include "scLightData.h"
 #include "scParameterRanges.h"
+#include "scSentence.h"
 #include "scWarnings.h"
 
 #include "vtkDataArray.h"
@@ -118,7 +119,7 @@ int vtkToneMapRadiance::RequestData(
   }
   catch (const std::exception& exception)
   {
-    vtkErrorMacro("Tone mapping failed: " << exception.what() << ".");
+    vtkErrorMacro("Tone mapping failed: " << ReasonOf(exception) << ".");
     return 0;
   }
   output->Crop(extent);

@@ -315,7 +315,7 @@ int vtkVisibilityVolume::RequestData(
   }
   catch (const std::exception& exception)
   {
-    return run.Fail(Sentence("Filling the volume failed: ", exception.what(), "."));
+    return run.Fail(Sentence("Filling the volume failed: ", ReasonOf(exception), "."));
   }
 
   vtkIdType rays = 0;
