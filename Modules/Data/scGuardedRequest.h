@@ -7,10 +7,10 @@
 #define scGuardedRequest_h
 
 #include "ShadowConesDataModule.h"
-#include "scSentence.h"
 
 #include <exception>
 #include <new>
+#include <string>
 
 class vtkAlgorithm;
 class vtkInformation;
@@ -18,6 +18,14 @@ class vtkInformationVector;
 
 namespace shadowcones
 {
+
+inline constexpr const char* notEnoughMemory = "there is not enough memory; ask for less, or of less";
+
+/// Why something failed, for the end of a sentence: an exception that says so itself, or memory that ended, which does not.
+inline std::string ReasonOf(const std::exception& exception)
+{
+  return dynamic_cast<const std::bad_alloc*>(&exception) ? notEnoughMemory : exception.what();
+}
 
 /// Empty the outputs, as soon as there are any, and say by vtkErrorMacro of the filter what happened. @return 0.
 SHADOWCONESDATA_EXPORT int FailRequest(vtkAlgorithm* algorithm, vtkInformation* request,

@@ -6,8 +6,6 @@
 #ifndef scSentence_h
 #define scSentence_h
 
-#include <exception>
-#include <new>
 #include <sstream>
 #include <string>
 
@@ -32,14 +30,6 @@ std::string Listed(const Value* values, int count)
     text << (i > 0 ? ", " : "") << values[i];
   }
   return text.str();
-}
-
-inline constexpr const char* notEnoughMemory = "there is not enough memory; ask for less, or of less";
-
-/// Why something failed, for the end of a sentence: an exception that says so itself, or memory that ended, which does not.
-inline std::string ReasonOf(const std::exception& exception)
-{
-  return dynamic_cast<const std::bad_alloc*>(&exception) ? notEnoughMemory : exception.what();
 }
 
 } // namespace shadowcones

@@ -6,7 +6,6 @@
 #include "scImageOutput.h"
 #include "scLightData.h"
 #include "scParameterRanges.h"
-#include "scSentence.h"
 #include "scWarnings.h"
 
 #include "vtkDataArray.h"

@@ -6,6 +6,7 @@
 #include "scLampPlane.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace shadowcones
@@ -227,52 +228,99 @@ void BlockedLight::Conclude(double litError)
     this->Intervals, this->SampledVariance, litError, this->Legs ? this->Legs->ErrorOfLegs : 0.0);
 }
 
-void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
+/// Samples that are taken together: what of them has a ray, several at a time.
+struct BlockedLight::Packet
+{
+  struct Place
+  {
+    double T = 0.0;
+    double Density = 1.0; ///< of places here, over that of the intervals' light
+    int Cell = 0;
+    int Ray = -1; ///< -1: none
+    double Weight = 0.0;
+  };
+  int Count = 0;
+  int Rays = 0;
+  std::array<Place, OccluderScene::PacketSize> Places;
+  std::array<Vector3, OccluderScene::PacketSize> Points; ///< of rays
+  std::array<Vector3, OccluderScene::PacketSize> Directions;
+  std::array<double, OccluderScene::PacketSize> Distances;
+  double AllBefore = 0.0; ///< of the sample before
+  double VisibleBefore = 0.0;
+  bool IsFirst = true;
+};
+
+/// Where the drawing of places and light points is.
+struct BlockedLight::Draws
+{
+  RandomStream Random;
+  std::uint32_t ScrambleU = 0;
+  std::uint32_t ScrambleV = 0;
+  IntervalLight::Node Node{};
+};
+
+/// Samples from number @p first of @p count on.
+void BlockedLight::Draw(const LitSums& lit, int first, int count, Draws& draws, Packet& packet)
 {
   const Ray& ray = lit.Profile().Line;
-  const int groups = this->Groups.Count();
-  const OccluderScene& casters = this->Scene.ShadowCasters();
-  const double distributed = this->Intervals.Distributed();
   const LightSequence& sequence = Sequence();
-  RandomStream random(seed, 0);
-  Pass pass;
-  pass.Count = count;
-  pass.Weight = count * std::sqrt(static_cast<double>(count));
-  std::uint32_t scrambleU = 0;
-  std::uint32_t scrambleV = 0;
-
-  IntervalLight::Node node;
-  double density = 1.0;
-  double allBefore = 0.0;
-  double visibleBefore = 0.0;
-  for (int k = 0; k < count; ++k)
+  packet.Count = std::min(OccluderScene::PacketSize, count - first);
+  packet.Rays = 0;
+  for (int k = first; k < first + packet.Count; ++k)
   {
     const std::uint32_t index = static_cast<std::uint32_t>(k) % LightSequence::Count;
     if (index == 0)
     {
-      const std::uint64_t scramble = random.NextWord();
-      scrambleU = static_cast<std::uint32_t>(scramble >> 32);
-      scrambleV = static_cast<std::uint32_t>(scramble);
+      const std::uint64_t scramble = draws.Random.NextWord();
+      draws.ScrambleU = static_cast<std::uint32_t>(scramble >> 32);
+      draws.ScrambleV = static_cast<std::uint32_t>(scramble);
     }
-    const double t = this->Intervals.MoveTo((k + random.Next()) / count * distributed, this->Ends, node, density);
-    const double inCell = lit.Of(node.Cell);
+    double density = 1.0;
+    const double t = this->Intervals.MoveTo(
+      (k + draws.Random.Next()) / count * this->Intervals.Distributed(), this->Ends, draws.Node, density);
     const Vector3 point = ray.Origin + t * ray.Direction;
-
     this->Sampler.MoveTo(point);
-    const IncidentSample sample =
-      this->Sampler.Sample((sequence.U[index] ^ scrambleU) * 0x1p-32, (sequence.V[index] ^ scrambleV) * 0x1p-32);
+    const IncidentSample sample = this->Sampler.Sample(
+      (sequence.U[index] ^ draws.ScrambleU) * 0x1p-32, (sequence.V[index] ^ draws.ScrambleV) * 0x1p-32);
+    const bool sent = sample.Weight > 0.0 && lit.Of(draws.Node.Cell) > 0.0;
+    packet.Places[static_cast<std::size_t>(k - first)] = { t, density, draws.Node.Cell, sent ? packet.Rays : -1, sample.Weight };
+    if (sent)
+    {
+      const auto at = static_cast<std::size_t>(packet.Rays++);
+      packet.Points[at] = point;
+      packet.Directions[at] = sample.Direction;
+      packet.Distances[at] = sample.Distance;
+    }
+  }
+}
+
+/// What the samples show. @param spacing light of the intervals for each of them.
+void BlockedLight::Add(const LitSums& lit, Packet& packet, double spacing, Pass& pass)
+{
+  const int groups = this->Groups.Count();
+  const Vector3& along = lit.Profile().Line.Direction;
+  const unsigned int occluded = packet.Rays == 0
+    ? 0
+    : this->Scene.ShadowCasters().OccludedPacket(
+        packet.Points.data(), packet.Directions.data(), packet.Distances.data(), packet.Rays, this->Rules);
+  this->OcclusionRays += packet.Rays;
+  for (int k = 0; k < packet.Count; ++k)
+  {
+    const Packet::Place& place = packet.Places[static_cast<std::size_t>(k)];
     double all = 0.0;
     double visible = 0.0;
-    if (sample.Weight > 0.0 && inCell > 0.0)
+    if (place.Ray >= 0)
     {
-      this->OcclusionRays += 1;
-      const bool blocked = casters.Occluded(point, sample.Direction, 0.0, sample.Distance, this->Rules);
-      const double source = sample.Weight * this->OpticalDepth.DensityAt(point) *
-        EvaluatePhaseFunction(this->Scene.Medium.Phase, Dot(sample.Direction, ray.Direction));
-      const double depth = this->OpticalDepth.Along(t) +
-        DepthTowards(this->Legs, this->OpticalDepth, point, sample.Direction, sample.Distance);
+      const auto at = static_cast<std::size_t>(place.Ray);
+      const bool blocked = ((occluded >> place.Ray) & 1u) != 0;
+      const Vector3& point = packet.Points[at];
+      const Vector3& direction = packet.Directions[at];
+      const double source = place.Weight * this->OpticalDepth.DensityAt(point) *
+        EvaluatePhaseFunction(this->Scene.Medium.Phase, Dot(direction, along));
+      const double depth = this->OpticalDepth.Along(place.T) +
+        DepthTowards(this->Legs, this->OpticalDepth, point, direction, packet.Distances[at]);
       // Over the density of places: the light in the cell per its width, over all of the intervals' light.
-      const double weight = distributed * lit.Width(node.Cell) / inCell / count / density;
+      const double weight = spacing * lit.Width(place.Cell) / lit.Of(place.Cell) / place.Density;
       for (int g = 0; g < groups; ++g)
       {
         const auto group = static_cast<std::size_t>(g);
@@ -284,14 +332,29 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
       pass.NumberOfLit += 1;
       pass.NumberOfVisible += blocked ? 0 : 1;
     }
-    if (k > 0)
+    if (!packet.IsFirst)
     {
-      pass.AllAll += (all - allBefore) * (all - allBefore);
-      pass.AllVisible += (all - allBefore) * (visible - visibleBefore);
-      pass.VisibleVisible += (visible - visibleBefore) * (visible - visibleBefore);
+      pass.AllAll += (all - packet.AllBefore) * (all - packet.AllBefore);
+      pass.AllVisible += (all - packet.AllBefore) * (visible - packet.VisibleBefore);
+      pass.VisibleVisible += (visible - packet.VisibleBefore) * (visible - packet.VisibleBefore);
     }
-    allBefore = all;
-    visibleBefore = visible;
+    packet.IsFirst = false;
+    packet.AllBefore = all;
+    packet.VisibleBefore = visible;
+  }
+}
+
+void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
+{
+  Pass pass;
+  pass.Count = count;
+  pass.Weight = count * std::sqrt(static_cast<double>(count));
+  Draws draws{ RandomStream(seed, 0) };
+  Packet packet;
+  for (int first = 0; first < count; first += OccluderScene::PacketSize)
+  {
+    this->Draw(lit, first, count, draws, packet);
+    this->Add(lit, packet, this->Intervals.Distributed() / count, pass);
   }
   this->Samples += count;
   this->Passes.push_back(pass);

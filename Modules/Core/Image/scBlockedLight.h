@@ -86,7 +86,11 @@ private:
     double AllVisible = 0.0;
     double VisibleVisible = 0.0;
   };
+  struct Packet;
+  struct Draws;
   bool Begin(const LitSums& lit, const std::vector<RayInterval>& intervals);
+  void Draw(const LitSums& lit, int first, int count, Draws& draws, Packet& packet);
+  void Add(const LitSums& lit, Packet& packet, double spacing, Pass& pass);
   void Sample(const LitSums& lit, int count, std::uint64_t seed);
   void Forget();
   void Conclude(double litError);

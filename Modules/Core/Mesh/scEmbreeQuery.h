@@ -33,10 +33,11 @@ struct EmbreeQuery
   const double* X = nullptr; ///< vectors to the ends of rays, where there are no Directions
   const double* Y = nullptr;
   const double* Z = nullptr;
+  const double* Ends = nullptr; ///< of rays with Directions, where they differ
   double Begin = 0.0;
-  double End = HUGE_VAL;                   ///< of vectors: HUGE_VAL, or theirs where it is 0
-  float ClearHeight = 1.0f;                ///< factor of a group's
-  bool TakesClear = true;                  ///< hits beyond doubt need no look at their triangle
+  double End = HUGE_VAL;    ///< of vectors: HUGE_VAL, or theirs where it is 0
+  float ClearHeight = 1.0f; ///< factor of a group's
+  bool TakesClear = true;   ///< hits beyond doubt need no look at their triangle
   /// All triangles that are crossed, some of them more than once.
   std::vector<OccluderScene::MetTriangle>* Found = nullptr;
 
@@ -61,7 +62,8 @@ struct EmbreeQuery
     const double end = this->Rules.EndTolerance;
     if (this->Directions)
     {
-      return { this->Origins[index], this->Directions[index], this->Begin, this->End, begin, end };
+      return { this->Origins[index], this->Directions[index], this->Begin, this->Ends ? this->Ends[index] : this->End,
+        begin, end };
     }
     const Vector3 to{ this->X[index], this->Y[index], this->Z[index] };
     const double distance = std::sqrt(Dot(to, to));

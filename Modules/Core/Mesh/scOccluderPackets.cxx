@@ -57,10 +57,26 @@ void SetFarRays(
     SetLane(packet.Traced.ray, k, ray);
   }
 }
+
+/// Without ends; the last ray stands for those that are missing.
+WorldRays RaysOf(const Vector3* origins, const Vector3* directions, int count)
+{
+  WorldRays rays;
+  for (int k = 0; k < rayPacketSize; ++k)
+  {
+    const int from = std::min(k, count - 1);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      rays.Origins[axis][k] = origins[from][axis];
+      rays.Directions[axis][k] = directions[from][axis];
+    }
+    rays.Ends[k] = HUGE_VAL;
+  }
+  return rays;
+}
 } // anonymous namespace
 
-void OccluderScene::IntersectPacket(
-  const Vector3* origins, const Vector3* directions, int count, RayHit* hits) const
+void OccluderScene::IntersectPacket(const Vector3* origins, const Vector3* directions, int count, RayHit* hits) const
 {
   const Implementation& impl = *this->Impl;
   if (impl.Scenes.size() != 1)
@@ -72,16 +88,7 @@ void OccluderScene::IntersectPacket(
     }
     return;
   }
-  WorldRays rays;
-  for (int k = 0; k < rayPacketSize; ++k)
-  {
-    const int from = std::min(k, count - 1);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      rays.Origins[axis][k] = origins[from][axis];
-      rays.Directions[axis][k] = directions[from][axis];
-    }
-  }
+  const WorldRays rays = RaysOf(origins, directions, count);
   RayPacket packet;
   SetFreeRays(impl.Cells.Cells[0], rays, (1u << count) - 1u, packet);
   const RayRules rules;
@@ -110,6 +117,33 @@ void OccluderScene::IntersectPacket(
   {
     hits[k] = hits[k].Triangle < 0 ? hits[k] : HitOf(impl.Mesh, hits[k].Triangle, origins[k], directions[k]);
   }
+}
+
+unsigned int OccluderScene::OccludedPacket(
+  const Vector3* origins, const Vector3* directions, const double* ends, int count, const RayRules& rules) const
+{
+  const Implementation& impl = *this->Impl;
+  if (impl.Scenes.size() != 1)
+  {
+    unsigned int occluded = 0;
+    for (int k = 0; k < count; ++k)
+    {
+      occluded |= this->Occluded(origins[k], directions[k], 0.0, ends[k], rules) ? 1u << k : 0u;
+    }
+    return occluded;
+  }
+  const OccluderCell& cell = impl.Cells.Cells[0];
+  WorldRays rays = RaysOf(origins, directions, count);
+  std::copy(ends, ends + count, rays.Ends);
+  RayPacket packet;
+  SetFreeRays(cell, rays, (1u << count) - 1u, packet);
+  EmbreeQuery query(impl.Mesh, rules);
+  query.SetScale(cell.Scale);
+  query.Origins = origins;
+  query.Directions = directions;
+  query.Ends = ends;
+  TraceAnyOfPacket(packet.Valid, impl.Scenes[0].Scene, query, packet.Traced.ray);
+  return BlockedRays(packet);
 }
 
 std::uint64_t OccluderScene::Implementation::TraceFrom(

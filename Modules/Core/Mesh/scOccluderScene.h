@@ -105,8 +105,14 @@ public:
   void IntersectAll(const Vector3& origin, const Vector3& direction, double tMin, double tMax,
     std::vector<RayHit>& hits, const RayRules& rules = {}) const;
   /// Is there any hit with T in (tMin, tMax)? tMax may be infinite.
-  bool Occluded(const Vector3& origin, const Vector3& direction, double tMin, double tMax,
-    const RayRules& rules = {}) const;
+  bool Occluded(
+    const Vector3& origin, const Vector3& direction, double tMin, double tMax, const RayRules& rules = {}) const;
+  /**
+   * Occluded from the origins on for up to PacketSize rays from anywhere, faster the closer together they run: bit k of the
+   * answer where there is a hit with T in (0, ends[k]), which may be infinite.
+   */
+  unsigned int OccludedPacket(
+    const Vector3* origins, const Vector3* directions, const double* ends, int count, const RayRules& rules = {}) const;
   /**
    * Occluded for up to 64 rays from one point, several at a time: bit k of the answer where there is a hit on the way
    * along (x[k], y[k], z[k]); to @p infinity the vectors are unit and have no end. Only rays in @p wanted are asked for;

@@ -65,9 +65,9 @@ SHADOWCONES_WIDE void SetFreeRays(
   double begin[rayPacketSize] = {};
   double end[rayPacketSize];
   double unfit[rayPacketSize] = {}; // NaN where a ray is not a number
-  for (double& e : end)
+  for (int k = 0; k < rayPacketSize; ++k)
   {
-    e = HUGE_VAL;
+    end[k] = world.Ends[k];
   }
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -94,7 +94,8 @@ SHADOWCONES_WIDE void SetFreeRays(
   {
     const double early = begin[k] - cell.Reach;
     const double first = (early > 0.0 ? early : 0.0) - cell.RayMargin;
-    ends[k] = cell.Scale * (end[k] + cell.Reach - first) + OccluderCells::RayMargin;
+    const double late = end[k] + cell.Reach;
+    ends[k] = cell.Scale * ((late < world.Ends[k] ? late : world.Ends[k]) - first) + OccluderCells::RayMargin;
     starts[0][k] = cell.Scale * (world.Origins[0][k] + first * world.Directions[0][k] - cell.Center.X);
     starts[1][k] = cell.Scale * (world.Origins[1][k] + first * world.Directions[1][k] - cell.Center.Y);
     starts[2][k] = cell.Scale * (world.Origins[2][k] + first * world.Directions[2][k] - cell.Center.Z);

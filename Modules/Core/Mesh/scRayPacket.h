@@ -50,6 +50,7 @@ struct WorldRays
 {
   double Origins[3][rayPacketSize];
   double Directions[3][rayPacketSize]; ///< unit
+  double Ends[rayPacketSize];          ///< HUGE_VAL: none
 };
 
 /**
@@ -59,7 +60,7 @@ struct WorldRays
 void SetNearRays(const OccluderCell& cell, const Vector3& start, const double* x, const double* y, const double* z,
   unsigned int wanted, unsigned int firstIndex, bool infinity, RayPacket& packet);
 
-/// Rays without an end, from before they enter the cell, and no hits; bits of @p wanted say which.
+/// Rays up to their ends, from before they enter the cell, and no hits; bits of @p wanted say which.
 void SetFreeRays(const OccluderCell& cell, const WorldRays& rays, unsigned int wanted, RayPacket& packet);
 
 /// After a query for any hit: bits of the rays that have one.

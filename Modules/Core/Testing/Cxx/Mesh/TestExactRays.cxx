@@ -61,8 +61,9 @@ TestMesh GridBox(const Vector3& half, int n)
       for (int side = 0; side < 6; ++side)
       {
         const int w = side % 2 ? n : 0;
-        const auto at = [&](int a, int b)
-        { return side < 2 ? point(w, a, b) : side < 4 ? point(a, w, b) : point(a, b, w); };
+        const auto at = [&](int a, int b) {
+          return side < 2 ? point(w, a, b) : side < 4 ? point(a, w, b) : point(a, b, w);
+        };
         mesh.AddTriangle(at(u, v), at(u + 1, v), at(u + 1, v + 1), 0);
         mesh.AddTriangle(at(u, v), at(u + 1, v + 1), at(u, v + 1), 0);
       }
@@ -260,7 +261,15 @@ TEST(ExactRays, EveryKindOfQueryDecidesAsTheRuleDoes)
   Turn(mesh, 0.7, 0.4, { 3.0, -2.0, 5.0 });
   const TriangleMeshView view = mesh.View();
   const OccluderScene scene(view);
-  int wrong[5] = {};
+  int wrong[6] = {};
+  struct
+  {
+    Vector3 Origins[8];
+    Vector3 Directions[8];
+    double Ends[8] = {};
+    unsigned int Crossed = 0;
+    int Count = 0;
+  } packet; // of rays from anywhere
   int blocked = 0;
   constexpr std::uint64_t count = 6000;
   std::vector<RayHit> all;
@@ -300,6 +309,17 @@ TEST(ExactRays, EveryKindOfQueryDecidesAsTheRuleDoes)
     wrong[1] += scene.Intersect(origin, direction, 0.0, end, hit) != (crossed > 0);
     scene.IntersectAll(origin, direction, 0.0, end, all);
     wrong[2] += all.size() != crossed;
+    packet.Origins[packet.Count] = origin;
+    packet.Directions[packet.Count] = direction;
+    packet.Ends[packet.Count] = end;
+    packet.Crossed |= crossed > 0 ? 1u << packet.Count : 0u;
+    if (++packet.Count == 8)
+    {
+      wrong[5] += scene.OccludedPacket(packet.Origins, packet.Directions, packet.Ends, 8) != packet.Crossed;
+      wrong[5] += scene.OccludedPacket(packet.Origins, packet.Directions, packet.Ends, 3) != (packet.Crossed & 7u);
+      packet.Crossed = 0;
+      packet.Count = 0;
+    }
     Vector3 origins[8];
     Vector3 directions[8];
     RayHit hits[8];
@@ -358,8 +378,8 @@ TEST(ExactRays, WhatLiesInALampsPlaneIsPassedBy)
     {
       RandomStream random(3, i);
       const double depth = std::pow(10.0, -4.0 + 4.0 * random.Next());
-      const Vector3 from = Turned(
-        { half * (2.0 * random.Next() - 1.0), half * (2.0 * random.Next() - 1.0), 5.5 - depth }, 0.7, 0.4, {});
+      const Vector3 from =
+        Turned({ half * (2.0 * random.Next() - 1.0), half * (2.0 * random.Next() - 1.0), 5.5 - depth }, 0.7, 0.4, {});
       const Vector3 to = SampleLightArea(lamp, random.Next(), random.Next()).Position - from;
       wrong += scene.Occluded(from, Normalized(to), 0.0, Length(to), rules);
     }
@@ -367,8 +387,8 @@ TEST(ExactRays, WhatLiesInALampsPlaneIsPassedBy)
     // What hangs below the ceiling still hides the lamp, and rays from elsewhere still meet the ceiling.
     const Vector3 below = Turned({ 0.0, 0.0, 1.0 }, 0.7, 0.4, {});
     EXPECT_TRUE(scene.Occluded(below, Normalized(center - below), 0.0, Length(center - below), rules));
-    EXPECT_TRUE(scene.Occluded(below, Normalized(2.0 * half * Turned({ 0.4, 0.0, 0.0 }, 0.7, 0.4, {}) + center - below),
-      0.0, HUGE_VAL));
+    EXPECT_TRUE(scene.Occluded(
+      below, Normalized(2.0 * half * Turned({ 0.4, 0.0, 0.0 }, 0.7, 0.4, {}) + center - below), 0.0, HUGE_VAL));
   }
 }
 
