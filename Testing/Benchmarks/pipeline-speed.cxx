@@ -6,12 +6,14 @@
 //   probe     20,000 points of 64 light samples
 //   rising    pictures of rising quality: how soon, and how near
 //   umbra     the joint umbra of many discs on grids
+//   first     the first image of a body from its mesh on, with cones and without
 //   fog       images with a density image over those without
 //   pixels    a Guided image of the sphere at growing sizes: how time grows with pixels, and whether claims hold
 //   threads   each stage on one and on two threads, and its loops replayed item by item on more
 //   memory    bytes of what is kept and the largest memory of each stage, against its formula
 #include "BenchmarkScene.h"
 #include "ErrorCurve.h"
+#include "FirstImage.h"
 #include "FogSpeed.h"
 #include "ProgramOptions.h"
 #include "SphereRoom.h"
@@ -343,20 +345,20 @@ void MeasurePixels(double triangles, int smallest, int largest, int judged)
 int main(int argc, char* argv[])
 {
   ProgramOptions commandLine("What the pipeline costs beside the estimators.");
-  std::vector<std::string> rows{ "frames", "volume", "probe", "rising", "umbra", "memory", "fog", "pixels", "threads" };
+  std::vector<std::string> rows{ "frames", "volume", "probe", "rising", "umbra", "memory", "first", "fog", "pixels", "threads" };
   double triangles = 1e6;
   int size = 256;
   int points = 257;
   int largest = 1024;
   int judged = 200;
   std::string scene = "chair";
-  commandLine.Add("--rows", rows, "frames, volume, probe, rising, umbra, memory, fog, pixels, threads");
+  commandLine.Add("--rows", rows, "frames, volume, probe, rising, umbra, memory, first, fog, pixels, threads");
   commandLine.Add("--triangles", triangles, "of the sphere");
   commandLine.Add("--size", size, "width and height of images, pixels");
   commandLine.Add("--largest", largest, "width and height of the largest image for pixels");
   commandLine.Add("--judged", judged, "pixels of each image whose claims are checked, for pixels");
   commandLine.Add("--points", points, "of a volume along a side");
-  commandLine.Add("--scene", scene, "chair, tree, blob or a mesh file, for probes and threads");
+  commandLine.Add("--scene", scene, "chair, tree, blob or a mesh file, for probes, threads and first images");
   std::vector<std::string> stages = threadStages;
   commandLine.AddChoice("--stages", stages, "stages for threads", threadStages);
   if (const std::optional<int> status = commandLine.Read(argc, argv))
@@ -390,6 +392,10 @@ int main(int argc, char* argv[])
       else if (row == "memory")
       {
         MeasureMemory(triangles);
+      }
+      else if (row == "first")
+      {
+        MeasureFirstImages(scene, std::min(size, 128), 3);
       }
       else if (row == "fog")
       {
