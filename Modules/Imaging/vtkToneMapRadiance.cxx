@@ -118,7 +118,7 @@ int vtkToneMapRadiance::RequestData(
   }
   catch (const std::exception& exception)
   {
-    vtkErrorMacro("Tone mapping failed: " << ReasonOf(exception) << ".");
+    vtkErrorMacro("Tone mapping failed: " << shadowcones::ReasonOf(exception) << ".");
     return 0;
   }
   output->Crop(extent);
