@@ -35,20 +35,18 @@ TEST_F(ImageModes, UnshadowedLightIsTheSameInTheFasterModes)
 TEST_F(ImageModes, ReceiversHideNoLight)
 {
   this->ConnectDisc();
-  vtkSmartPointer<vtkPolyData> casters = Disc();
-  vtkNew<vtkIntArray> casting;
-  casting->SetName("OccluderId");
-  casting->InsertNextValue(0);
-  casters->GetCellData()->AddArray(casting);
-  // All of the lamp lies behind the board, which no pixel sees.
-  vtkSmartPointer<vtkPolyData> board = Plane({ -1.5, 1.95, -1.5 }, { 3.0, 0.0, 0.0 }, { 0.0, 0.0, 3.0 });
-  vtkNew<vtkIntArray> receiving;
-  receiving->SetName("OccluderId");
-  for (vtkIdType cell = 0; cell < board->GetNumberOfCells(); ++cell)
+  const auto labelled = [](const vtkSmartPointer<vtkPolyData>& mesh, int id)
   {
-    receiving->InsertNextValue(-1);
-  }
-  board->GetCellData()->AddArray(receiving);
+    vtkNew<vtkIntArray> ids;
+    ids->SetName("OccluderId");
+    ids->SetNumberOfValues(mesh->GetNumberOfCells());
+    ids->FillValue(id);
+    mesh->GetCellData()->AddArray(ids);
+    return mesh;
+  };
+  const vtkSmartPointer<vtkPolyData> casters = labelled(Disc(), 0);
+  // All of the lamp lies behind the board, which no pixel sees.
+  const vtkSmartPointer<vtkPolyData> board = labelled(Plane({ -1.5, 1.95, -1.5 }, { 3.0, 0.0, 0.0 }, { 0.0, 0.0, 3.0 }), -1);
   vtkNew<vtkAppendPolyData> both;
   both->AddInputData(casters);
   both->AddInputData(board);
