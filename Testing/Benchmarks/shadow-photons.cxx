@@ -7,8 +7,9 @@
 //
 // Points are those that random rays of the camera meet, with a point of the lamp in each of 16 strata. Rays are counted where
 // surface and lamp face each other; the truth is the rays. Times are of one thread's processor, a point: to decide, and to
-// send the rays that are left. Names of scenes are the arguments: chair, tree, blob where there are none.
+// send the rays that are left.
 #include "BenchmarkScene.h"
+#include "ProgramOptions.h"
 #include "ProofScenes.h"
 #include "scBox.h"
 #include "scConstants.h"
@@ -195,15 +196,21 @@ void PrintScene(const std::string& name)
 }
 } // anonymous namespace
 
-int main(int argc, char** argv)
+int main(int argc, char* argv[])
 {
-  std::vector<std::string> scenes(argv + 1, argv + argc);
+  ProgramOptions commandLine("What shadow photons on surfaces save, and where they are wrong, next to cones");
+  std::vector<std::string> scenes{ "chair", "tree", "blob" };
+  commandLine.Add("--scene", scenes, "chair, tree, blob or a mesh file");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   vtkObject::GlobalWarningDisplayOff();
   std::printf("| scene | who says where rays are sent | rays saved | lit in error | hidden in error | rays in error | us a point |\n"
               "|---|---|---|---|---|---|---|\n");
   try
   {
-    for (const std::string& scene : scenes.empty() ? std::vector<std::string>{ "chair", "tree", "blob" } : scenes)
+    for (const std::string& scene : scenes)
     {
       PrintScene(scene);
     }

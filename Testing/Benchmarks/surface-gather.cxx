@@ -7,8 +7,9 @@
 //
 // The truth is path tracing with a ray to the lamp at every vertex, in plain code. Errors are root mean squares over the mean, the
 // noise of the truth taken off. Seconds are the processor's: to trace and prepare a map, and with that for so many points as
-// an image of 256 x 256 pixels has. Arguments: points and paths of each, 200 and 8192.
+// an image of 256 x 256 pixels has.
 #include "BenchmarkScene.h"
+#include "ProgramOptions.h"
 #include "scConstants.h"
 #include "scFrame.h"
 #include "scLightSampling.h"
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <exception>
 #include <functional>
@@ -311,10 +311,17 @@ void PrintMedium(const GreyRoom& room, const Camera& camera, int count, int path
 }
 } // anonymous namespace
 
-int main(int argc, char** argv)
+int main(int argc, char* argv[])
 {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 200;
-  const int paths = argc > 2 ? std::atoi(argv[2]) : 8192;
+  ProgramOptions commandLine("Is a final gather worth its time? Light that has bounced, at surfaces of the chair's room");
+  int count = 200;
+  int paths = 8192;
+  commandLine.AddPositive("--points", count, "of surfaces, which are compared with the truth");
+  commandLine.AddPositive("--paths", paths, "of the truth for each of them");
+  if (const std::optional<int> status = commandLine.Read(argc, argv))
+  {
+    return *status;
+  }
   try
   {
     const BenchmarkScene scene("chair");

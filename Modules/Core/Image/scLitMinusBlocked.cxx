@@ -64,12 +64,15 @@ void LitMinusBlocked::RenderTile(const TileRange& tile)
   }
 }
 
+bool LitMinusBlocked::MayLookAround(const ScatteringOptions& options)
+{
+  return options.Mode == ScatteringMode::Guided && options.RelativeErrorGoal > 0.0 &&
+    options.RelativeErrorGoal <= largestGoal && std::min(options.Width, options.Height) >= smallestImage;
+}
+
 bool LitMinusBlocked::LooksAround(const LitMinusBlockedScene& shared)
 {
-  const ScatteringOptions& options = shared.Context.Options;
-  return options.Mode == ScatteringMode::Guided && options.RelativeErrorGoal > 0.0 &&
-    options.RelativeErrorGoal <= largestGoal && !shared.Lines &&
-    std::min(options.Width, options.Height) >= smallestImage;
+  return MayLookAround(shared.Context.Options) && !shared.Lines;
 }
 
 void LitMinusBlocked::AskNeighbours(const LookedPixels& looked)

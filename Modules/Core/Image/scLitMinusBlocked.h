@@ -43,6 +43,8 @@ public:
 
   LitMinusBlocked(const LitMinusBlockedScene& shared, const PrimaryHits& hits, ScatteringImage& image);
 
+  /// Do pixels ask their neighbours where a scene takes no lines?
+  static bool MayLookAround(const ScatteringOptions& options);
   /// Does this scene ask pixels' neighbours?
   static bool LooksAround(const LitMinusBlockedScene& shared);
   /// Look at the pixels of a tile, each with few samples. The tile lies in one of LitTile's squares.

@@ -93,8 +93,7 @@ bool Allocate(
 /// The pixels that are looked at for those of an extent.
 std::array<int, 4> LookedExtent(const std::array<int, 4>& extent, const ScatteringOptions& options)
 {
-  return options.Mode == ScatteringMode::Guided ? LookedPixels::ExtentFor(extent, options.Width, options.Height)
-                                                : extent;
+  return LitMinusBlocked::MayLookAround(options) ? LookedPixels::ExtentFor(extent, options.Width, options.Height) : extent;
 }
 
 /// One a light; none where the camera is not to see them.
