@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # Build everything with sanitizers and run every test:
-# sh Utilities/sanitize.sh [options for ctest]         address and undefined behaviour
+# sh Utilities/sanitize.sh [options for ctest]         address and undefined behaviour; then the lines that the tests reached
 # sh Utilities/sanitize.sh thread [options for ctest]  threads, with the backend STDThread of VTK
 set -eu
 . "$(dirname "$0")/setup.sh"
@@ -12,7 +12,7 @@ if [ "${1:-}" = thread ]; then
   shift
 fi
 
-install_packages build test
+install_packages build test sanitize
 cd "$root"
 # Faults that lie in other people's libraries, and nothing else.
 suppressions="$root/Utilities/sanitize"
@@ -27,4 +27,8 @@ fi
 
 cmake --preset "$preset" || fail "configuring failed; the reason stands above"
 cmake --build --preset "$preset" -j "$(nproc)" || fail "building failed; the reason stands above"
-ctest --preset "$preset" -j2 "$@"
+find "build-$preset" -name '*.gcda' -delete
+status=0
+ctest --preset "$preset" -j2 "$@" || status=$?
+[ "$preset" = thread ] || python3 "$root/Utilities/sanitize/reached_lines.py" "build-$preset"
+exit "$status"

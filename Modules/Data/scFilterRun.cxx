@@ -204,6 +204,17 @@ void EmptyOutput(vtkDataObject* output)
   output->GetInformation()->Set(vtkDataObject::DATA_EXTENT_TYPE(), output->GetExtentType());
 }
 
+void EmptyOutputs(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    if (vtkDataObject* output = vtkDataObject::GetData(outputs, port))
+    {
+      EmptyOutput(output);
+    }
+  }
+}
+
 bool RequestedExtent(vtkInformation* outputInformation, int extent[6])
 {
   int whole[6];
@@ -226,6 +237,7 @@ FilterRun::FilterRun(vtkAlgorithm* algorithm, vtkInformation* request, vtkInform
   , Inputs(inputVector)
   , Outputs(outputVector)
 {
+  EmptyOutputs(outputVector);
 }
 
 namespace
@@ -367,6 +379,7 @@ Team* FilterRun::GetTeamOn(int port) const
 
 int FilterRun::Fail(const std::string& error) const
 {
+  EmptyOutputs(this->Outputs);
   vtkErrorWithObjectMacro(this->Algorithm, << error);
   this->Failed = true;
   return this->Members ? 1 : 0;

@@ -87,11 +87,15 @@ SHADOWCONESDATA_EXPORT void UpdateInputs(vtkAlgorithm* algorithm, vtkInformation
 /// Leave nothing in an output but its kind of extent, by which the pipeline asks for the next one.
 SHADOWCONESDATA_EXPORT void EmptyOutput(vtkDataObject* output);
 
+/// The same for every output that there is.
+SHADOWCONESDATA_EXPORT void EmptyOutputs(vtkInformationVector* outputs);
+
 /// The part of an image's whole extent that is asked for. @return false where that has no point.
 SHADOWCONESDATA_EXPORT bool RequestedExtent(vtkInformation* outputInformation, int extent[6]);
 
 /**
- * One RequestData of a filter: made at its beginning. At its end every output is stamped with the time it stands for, and
+ * One RequestData of a filter: made at its beginning, where it empties the outputs (of an image the pipeline keeps the scalars
+ * of the run before). At its end every output is stamped with the time it stands for, and
  * processes that have run it together tell each other how it went: where it failed in one there are no outputs in any.
  */
 class SHADOWCONESDATA_EXPORT FilterRun
@@ -118,7 +122,7 @@ public:
   Team* GetTeamOn(int port) const;
 
   /**
-   * Say what is wrong by vtkErrorMacro of the filter. @return what RequestData is to return: 0; where others run it too 1,
+   * Say what is wrong by vtkErrorMacro of the filter, and empty the outputs. @return what RequestData is to return: 0; where others run it too 1,
    * so that filters behind it, which meet, run in all processes or in none.
    */
   int Fail(const std::string& error) const;

@@ -20,13 +20,7 @@ int FailRequest(
     // What is left of a run before is not what was asked for now.
     if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
     {
-      for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
-      {
-        if (vtkDataObject* output = vtkDataObject::GetData(outputVector, port))
-        {
-          EmptyOutput(output);
-        }
-      }
+      EmptyOutputs(outputVector);
     }
     vtkErrorWithObjectMacro(algorithm, << "This filter could not finish: " << what);
   }

@@ -166,7 +166,7 @@ int vtkScatteringImageFilter::RequestInformation(
   {
     vtkErrorMacro("Resolution is " << this->Resolution[0] << " x " << this->Resolution[1]
                                    << ": both must be at least 1, and their product at most 2^31 - 1.");
-    EmptyOutput(vtkDataObject::GetData(outputVector)); // no run will do it
+    EmptyOutputs(outputVector); // no run will do it
     return 0;
   }
   const int dimensions[3] = { this->Resolution[0], this->Resolution[1], 1 };
@@ -350,7 +350,6 @@ int vtkScatteringImageFilter::RequestData(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
   const FilterRun run(this, request, inputVector, outputVector);
-  EmptyOutput(output); // the executive keeps the last image's scalars
   std::string error;
   if (!run.AreInputsWhole(error))
   {

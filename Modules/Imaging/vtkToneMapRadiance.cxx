@@ -6,6 +6,7 @@
 #include "scImageOutput.h"
 #include "scLightData.h"
 #include "scParameterRanges.h"
+#include "scSentence.h"
 #include "scWarnings.h"
 
 #include "vtkDataArray.h"
@@ -60,24 +61,20 @@ int vtkToneMapRadiance::RequestData(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outInfo);
-  shadowcones::EmptyOutput(output);
   std::string error;
   if (this->AutoExposure && !run.AreInputsWhole(error))
   {
-    vtkErrorMacro(<< error);
-    return 0;
+    return run.Fail(error);
   }
   if (!(this->Exposure > 0.0) || !std::isfinite(this->Exposure))
   {
-    vtkErrorMacro("Exposure is " << this->Exposure << ": it must be above 0 and finite.");
-    return 0;
+    return run.Fail(shadowcones::Sentence("Exposure is ", this->Exposure, ": it must be above 0 and finite."));
   }
   const std::string curve =
     shadowcones::FirstOutOfRange({ shadowcones::OneOf("ToneCurve", this->ToneCurve, { "Linear", "Filmic" }) });
   if (!curve.empty())
   {
-    vtkErrorMacro(<< curve);
-    return 0;
+    return run.Fail(curve);
   }
   int extent[6];
   outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
@@ -89,17 +86,15 @@ int vtkToneMapRadiance::RequestData(
   vtkDataArray* radiance = input->GetPointData()->GetArray("Radiance");
   if (!radiance || radiance->GetNumberOfTuples() != points)
   {
-    vtkErrorMacro("The image has no point array \"Radiance\" with one tuple for each of its "
-      << points << " points: connect vtkScatteringImageFilter, or name the array so.");
-    return 0;
+    return run.Fail(shadowcones::Sentence("The image has no point array \"Radiance\" with one tuple for each of its ",
+      points, " points: connect vtkScatteringImageFilter, or name the array so."));
   }
 
   std::vector<double> wavelengths;
   if (!shadowcones::ReadWavelengths(
         input, static_cast<std::size_t>(radiance->GetNumberOfComponents()), wavelengths, error))
   {
-    vtkErrorMacro(<< error);
-    return 0;
+    return run.Fail(error);
   }
   double exposure = this->Exposure;
   try
@@ -118,8 +113,7 @@ int vtkToneMapRadiance::RequestData(
   }
   catch (const std::exception& exception)
   {
-    vtkErrorMacro("Tone mapping failed: " << shadowcones::ReasonOf(exception) << ".");
-    return 0;
+    return run.Fail("Tone mapping failed: " + shadowcones::ReasonOf(exception) + ".");
   }
   output->Crop(extent);
   shadowcones::Warnings warnings;

@@ -100,7 +100,7 @@ int vtkVisibilityVolume::RequestInformation(
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
-    EmptyOutput(vtkDataObject::GetData(outputVector)); // no run will do it
+    EmptyOutputs(outputVector); // no run will do it
     return 0;
   }
   // What is announced here is what RequestData delivers, at every time.
@@ -269,7 +269,6 @@ int vtkVisibilityVolume::RequestData(
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outInfo);
   const FilterRun run(this, request, inputVector, outputVector);
-  EmptyOutput(output); // nothing of the last volume is left after an error or an abort
   std::string error;
   if (!run.AreInputsWhole(error))
   {

@@ -212,10 +212,7 @@ int vtkLightShafts::RequestInformation(
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);
-    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-    {
-      EmptyOutput(vtkDataObject::GetData(outputVector, port)); // no run will do it
-    }
+    EmptyOutputs(outputVector); // no run will do it
     return 0;
   }
   const int dimensions[3] = { this->Resolution[0], this->Resolution[1], 1 };

@@ -3,6 +3,7 @@
 //   inject-faults               all of them: every progress event, 400 allocations a case, limits of memory
 //   inject-faults --quick       some of each
 //   inject-faults --case NAME   one case
+// Where memory ends within another library, that may end the process: such ends are counted apart, with the library's name.
 #include "Cases.h"
 #include "ChildProcess.h"
 #include "DataBytes.h"
@@ -13,7 +14,10 @@
 #include "vtkOutputWindow.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -21,6 +25,8 @@
 #include <string>
 #include <vector>
 
+#include <dlfcn.h>
+#include <execinfo.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -187,6 +193,39 @@ std::int64_t AddressSpace()
   return pages * sysconf(_SC_PAGESIZE);
 }
 
+/// The library that the deepest call lies in, apart from those of the languages themselves.
+std::string LibraryAtWork()
+{
+  std::array<void*, 64> frames;
+  const int count = backtrace(frames.data(), static_cast<int>(frames.size()));
+  for (int k = 0; k < count; ++k)
+  {
+    Dl_info info;
+    const std::string name = dladdr(frames[static_cast<std::size_t>(k)], &info) != 0 && info.dli_fname ? info.dli_fname : "";
+    const std::string file = name.substr(name.rfind('/') + 1);
+    const auto isOf = [&file](const char* library) { return file.rfind(library, 0) == 0; };
+    if (!file.empty() && !isOf("inject-faults") && !isOf("libc.") && !isOf("libstdc++.") && !isOf("libgomp."))
+    {
+      return file;
+    }
+  }
+  return "inject-faults";
+}
+
+const Report* reportOfEnd = nullptr;
+
+/// The process ends: there is memory again, for a last line.
+void TellWhoEnds(int signal)
+{
+  std::signal(signal, SIG_DFL);
+  rlimit limit;
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_AS, &limit);
+  (*reportOfEnd)("ended", LibraryAtWork(), "");
+  std::raise(signal);
+}
+
 /// In a process of its own: less memory than it takes.
 void LimitMemory(const Case& one, std::int64_t bytes, const Report& report)
 {
@@ -195,7 +234,14 @@ void LimitMemory(const Case& one, std::int64_t bytes, const Report& report)
   setting.Connect();
   report("begin", std::to_string(bytes), "");
   const auto room = static_cast<rlim_t>(AddressSpace() + bytes);
-  const rlimit limit{ room, room };
+  std::array<void*, 2> frames;
+  backtrace(frames.data(), 2); // it takes memory the first time
+  reportOfEnd = &report;
+  std::signal(SIGABRT, TellWhoEnds);
+  std::signal(SIGSEGV, TellWhoEnds);
+  rlimit limit;
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = std::min(room, limit.rlim_max);
   setrlimit(RLIMIT_AS, &limit);
   std::string lost;
   {
@@ -217,11 +263,12 @@ struct Row
 {
   std::map<std::string, int> Injected;
   int Lost = 0;
+  int Elsewhere = 0; ///< ended by another library
 };
 
-void Print(const std::string& name, const std::string& kind, const std::string& fault, const std::string& lost)
+void Print(const std::string& name, const std::string& kind, const std::string& fault, const std::string& end)
 {
-  std::cout << "  " << name << ", " << kind << " " << fault << ": LOST " << lost.substr(0, 400) << "\n" << std::flush;
+  std::cout << "  " << name << ", " << kind << " " << fault << ": " << end.substr(0, 400) << "\n" << std::flush;
 }
 
 /// Run something in a process of its own. @return the fault that it was at where it crashed; empty: it ended.
@@ -235,6 +282,7 @@ std::string InProcess(const Case& one, Row& row, const std::string& kind, const 
       work([&](const std::string& what, const std::string& fault, const std::string& lost) { tell({ what, fault, lost }); });
     });
   std::string at = "the beginning";
+  std::string library;
   for (const robustness::Line& line : end.Lines)
   {
     if (line[0] == "begin")
@@ -242,20 +290,26 @@ std::string InProcess(const Case& one, Row& row, const std::string& kind, const 
       at = line[1];
       continue;
     }
+    if (line[0] == "ended")
+    {
+      library = line[1];
+      continue;
+    }
     ++row.Injected[line[0]];
     if (line.size() > 2)
     {
       ++row.Lost;
-      Print(one.Name, line[0], line[1], line[2]);
+      Print(one.Name, line[0], line[1], "LOST " + line[2]);
     }
   }
   if (!end.Crashed())
   {
     return {};
   }
-  ++row.Lost;
   ++row.Injected[kind];
-  Print(one.Name, kind, at, end.Why());
+  const bool elsewhere = !library.empty() && library != "inject-faults" && library.find("ShadowCones") == std::string::npos;
+  ++(elsewhere ? row.Elsewhere : row.Lost);
+  Print(one.Name, kind, at, elsewhere ? "ended by " + library : "LOST " + end.Why() + " " + library);
   return at;
 }
 
@@ -290,6 +344,11 @@ int main(int argc, char** argv)
   const std::string option = argc > 1 ? argv[1] : "";
   const std::string value = argc > 2 ? argv[2] : "";
   const bool quick = option == "--quick";
+  if (!(option.empty() || quick || (option == "--case" && !value.empty())))
+  {
+    std::cerr << "inject-faults [--quick | --case NAME]\n";
+    return 2;
+  }
   Amount amount;
   if (quick)
   {
@@ -302,8 +361,13 @@ int main(int argc, char** argv)
   {
     std::cout << " " << kind << " |";
   }
-  std::cout << " lost |\n|---|---|---|---|---|\n";
+  std::cout << " ended elsewhere | lost |\n|---|---|---|---|---|---|\n";
   const std::vector<Case>& cases = AllCases();
+  if (!value.empty() && std::none_of(cases.begin(), cases.end(), [&value](const Case& one) { return one.Name == value; }))
+  {
+    std::cerr << "there is no case " << value << "\n";
+    return 2;
+  }
   for (std::size_t k = 0; k < cases.size(); ++k)
   {
     // In a quick run every third case.
@@ -319,7 +383,8 @@ int main(int argc, char** argv)
       std::cout << " " << row.Injected[kind] << " |";
       sum.Injected[kind] += row.Injected[kind];
     }
-    std::cout << " " << row.Lost << " |\n" << std::flush;
+    std::cout << " " << row.Elsewhere << " | " << row.Lost << " |\n" << std::flush;
+    sum.Elsewhere += row.Elsewhere;
     sum.Lost += row.Lost;
   }
   std::cout << "\nfaults injected:";
@@ -327,6 +392,6 @@ int main(int argc, char** argv)
   {
     std::cout << " " << kind << " " << sum.Injected[kind] << ",";
   }
-  std::cout << " lost: " << sum.Lost << "\n";
+  std::cout << " ended elsewhere: " << sum.Elsewhere << ", lost: " << sum.Lost << "\n";
   return sum.Lost > 0 ? 1 : 0;
 }
