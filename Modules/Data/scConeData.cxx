@@ -33,7 +33,7 @@ bool CheckCone(const Cone& cone, vtkIdType i, std::string& error)
   else if (FaultOf(cone.BaseRadius) || cone.BaseRadius < 0.0)
   {
     error = "The \"BaseRadius\"" + ofCone + " is " + std::to_string(cone.BaseRadius) +
-      ": it must be finite, at most 1e30 and not negative.";
+      ": it must be finite, at most 1e18 and not negative.";
   }
   else if (!(std::abs(cone.HalfAngle) < std::acos(0.0)))
   {

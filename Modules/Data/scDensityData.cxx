@@ -75,7 +75,7 @@ bool ReadValues(vtkDataArray* array, DensityGrid& grid, std::string& error)
     {
       std::ostringstream message;
       message << "The density of point " << point << " is " << array->GetComponent(point, 0)
-              << ": it must be finite, 0 or above and at most 1e30.";
+              << ": it must be finite, 0 or above and at most 1e18.";
       error = message.str();
       return false;
     }

@@ -14,6 +14,9 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace shadowcones
 {
@@ -85,6 +88,11 @@ bool CheckAttributes(vtkDataSetAttributes* data, vtkIdType count, const char* wh
 
 void AddFloatArray(vtkFieldData* data, const char* name, int components, const std::vector<float>& values)
 {
+  if (std::any_of(values.begin(), values.end(), [](float value) { return std::isinf(value); }))
+  {
+    throw std::overflow_error(std::string("a number of \"") + name +
+      "\" is beyond 3.4e38, the most that single precision holds; choose another unit of length or of radiance.");
+  }
   AddArray<vtkFloatArray>(data, name, components, values);
 }
 

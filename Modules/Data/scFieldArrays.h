@@ -39,7 +39,10 @@ SHADOWCONESDATA_EXPORT bool FindArray(vtkFieldData* data, const char* owner, con
 SHADOWCONESDATA_EXPORT bool CheckAttributes(
   vtkDataSetAttributes* data, vtkIdType count, const char* what, std::string& error);
 
-/// A new named array with a copy of values, components a tuple; types as in the name.
+/**
+ * A new named array with a copy of values, components a tuple; types as in the name. Throws std::overflow_error,
+ * whose sentence names the array, where a value left single precision.
+ */
 SHADOWCONESDATA_EXPORT void AddFloatArray(
   vtkFieldData* data, const char* name, int components, const std::vector<float>& values);
 SHADOWCONESDATA_EXPORT void AddDoubleArray(

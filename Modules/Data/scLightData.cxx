@@ -62,7 +62,7 @@ bool ReadField(vtkFieldData* data, const char* name, vtkIdType count, std::vecto
   for (vtkIdType i = 0; i < size; ++i)
   {
     values.push_back(array->GetComponent(i / components, static_cast<int>(i % components)));
-    if (std::fabs(values.back()) > LargestNumber)
+    if (std::fabs(values.back()) > LargestRadiance)
     {
       error = Sentence(quoted, " holds ", values.back(), ", which is beyond 1e30.");
       return false;

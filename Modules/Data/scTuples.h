@@ -32,13 +32,15 @@ Whole WholeOf(double value)
                                           : static_cast<Whole>(value);
 }
 
-/// Squares and volumes of larger numbers leave what numbers can hold, and outputs in single precision cannot hold them.
-constexpr double LargestNumber = 1e30;
+/// Outputs in single precision hold no larger radiance times a solid angle.
+constexpr double LargestRadiance = 1e30;
+/// Squares of larger lengths leave what single precision holds, and their volumes' squares what double precision does.
+constexpr double LargestLength = 1e18;
 
 /// What is wrong with a coordinate or a size, as a sentence ends; nullptr: nothing.
 inline const char* FaultOf(double value)
 {
-  return !std::isfinite(value) ? "is not finite" : std::fabs(value) > LargestNumber ? "is beyond 1e30" : nullptr;
+  return !std::isfinite(value) ? "is not finite" : std::fabs(value) > LargestLength ? "is beyond 1e18" : nullptr;
 }
 inline const char* FaultOf(const Vector3& a)
 {

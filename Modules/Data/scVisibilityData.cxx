@@ -74,7 +74,7 @@ bool ReadPlacement(vtkImageData* input, VisibilityGrid& grid, std::string& error
       std::ostringstream text;
       text << "The visibility volume begins at " << first[axis] << " along "
            << "xyz"[axis] << " with a spacing of " << spacing[axis]
-           << ": both must be finite and at most 1e30, and the spacing above 0.";
+           << ": both must be finite and at most 1e18, and the spacing above 0.";
       error = text.str();
       return false;
     }

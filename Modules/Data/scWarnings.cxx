@@ -44,6 +44,7 @@ constexpr double mostDropped = 0.1;
 constexpr float sharpRange = 0.5f;
 constexpr double mostCutOff = 0.005;
 constexpr double mostBeyond = 0.01;
+constexpr double mostUnlikeRays = 0.2; ///< cones darken penumbrae by a tenth or so
 /// Fewer places than these may well lie on one side of a shadow.
 constexpr vtkIdType fewPlaces = 10;
 
@@ -508,6 +509,16 @@ std::string ThickSteps(vtkIdType rays, vtkIdType pixels, double opticalDepth, in
     " pixels light fades within a step of the march, over an optical depth of up to ", opticalDepth,
     " which it makes too bright by ", std::ceil(100.0 * (opticalDepth / std::tanh(opticalDepth) - 1.0)), " %. Use ",
     more, "SetModeToGuided(), which resolves media of any density.");
+}
+
+std::string NotWhatRaysFind(const char* mode, int pixels, double light, double error)
+{
+  return pixels > 0 && error > mostUnlikeRays
+    ? Sentence("Mode ", mode, " asks no rays, and cones hold more than the shadow, or less: at ", pixels,
+        " pixels the medium shows ", Percent(light), " of the light that rays find, and a pixel is off by ",
+        Percent(error), " of their mean (root of the mean square). Use SetModeToGuided(), or a vtkVisibilityVolume of "
+        "Method Exact with SetModeToVolume().")
+    : std::string();
 }
 
 std::string UnusedExposure(double exposure)

@@ -104,6 +104,8 @@ SHADOWCONESDATA_EXPORT std::string SurfaceGoalNotMet(
 SHADOWCONESDATA_EXPORT std::string MediumBeyondVolume(double share);
 /// Steps of a march that light hardly passes: @p rays that have some, @p opticalDepth of the worst.
 SHADOWCONESDATA_EXPORT std::string ThickSteps(vtkIdType rays, vtkIdType pixels, double opticalDepth, int steps);
+/// Of an image that asks no rays, at some @p pixels: its light over theirs, and a pixel's error over their mean.
+SHADOWCONESDATA_EXPORT std::string NotWhatRaysFind(const char* mode, int pixels, double light, double error);
 SHADOWCONESDATA_EXPORT std::string UnusedExposure(double exposure);
 /// @p names of what a photon map's medium differs in.
 SHADOWCONESDATA_EXPORT std::string OtherMedium(const std::string& names);

@@ -8,6 +8,7 @@
 #include "scImageOutput.h"
 #include "scImageReport.h"
 #include "scImageScene.h"
+#include "scRayCheck.h"
 #include "scInputPorts.h"
 #include "scKeptImage.h"
 #include "scMediumData.h"
@@ -311,13 +312,16 @@ bool vtkScatteringImageFilter::RenderMissing(
     return false;
   }
   std::vector<ScatteringImage> images;
+  RayCheck check;
   const auto start = std::chrono::steady_clock::now();
   try
   {
     const Monitor monitor = MonitorOf(this).Part(scene.Photons ? shareOfPhotons : 0.0, 1.0);
     const bool rises = this->Progressive && rendersPixels && IsWhole(extent, this->Resolution);
     if ((rises && !this->ShowCoarse(scene, monitor.Part(0.0, shareOfCoarse))) ||
-      !RenderScene(scene, extents, monitor.Part(rises ? shareOfCoarse : 0.0, 1.0), images))
+      !RenderScene(scene, extents, monitor.Part(rises ? shareOfCoarse : 0.0, 1.0), images) ||
+      (rendersPixels && IsWhole(extent, this->Resolution) &&
+        !CheckByRays(scene, images.front(), { nullptr, monitor.Aborted }, check)))
     {
       return false; // aborted
     }
@@ -337,6 +341,7 @@ bool vtkScatteringImageFilter::RenderMissing(
   {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     warnings = scene.Said;
+    warnings.Add(NotWhatRaysFind(check.Mode, check.Pixels, check.Light, check.Error));
     ReportImage(scene, images.front(), IsWhole(extent, this->Resolution), warnings);
     this->Kept->KeepPixels(images.front(), scene, extent, seconds.count());
   }

@@ -382,8 +382,8 @@ TEST(Scenes, CellsOfPointsThatAreNotThere)
 TEST(Scenes, NumbersBeyondWhatOutputsHold)
 {
   vtkNew<vtkLabelOccluders> labels;
-  labels->SetInputData(Placed(ReadData("chair.vtp"), 1e31, 0.0));
-  EXPECT_SAYS(ErrorsOf(labels), "has a coordinate that is beyond 1e30.");
+  labels->SetInputData(Placed(ReadData("chair.vtp"), 1e19, 0.0));
+  EXPECT_SAYS(ErrorsOf(labels), "has a coordinate that is beyond 1e18.");
   const auto chair = LabelledMesh(ReadData("chair.vtp"));
   vtkNew<vtkAreaLightSource> lamp;
   lamp->SetCenter(0.0, 5.0, 0.0);
@@ -395,4 +395,12 @@ TEST(Scenes, NumbersBeyondWhatOutputsHold)
   probe->SetLightConnection(lamp->GetOutputPort());
   probe->ComputeFluenceRateOn();
   EXPECT_SAYS(ErrorsOf(probe), "\"LightSpectrum\" holds 1e+35, which is beyond 1e30.");
+  // Lengths and radiance are within their limits, and their product is not.
+  lamp->SetRadiance(1e20);
+  lamp->SetRadius(1e17);
+  lamp->SetCenter(0.0, 5e17, 0.0);
+  vtkNew<vtkShadowVectorFilter> vectors;
+  vectors->SetInputData(LabelledMesh(Placed(ReadData("chair.vtp"), 1e17, 0.0)));
+  vectors->SetLightConnection(lamp->GetOutputPort());
+  EXPECT_SAYS(ErrorsOf(vectors), "a number of \"Power\" is beyond 3.4e38");
 }

@@ -458,6 +458,13 @@ AwkwardMesh NotFinite(const std::string& name, double value)
   return mesh;
 }
 
+AwkwardMesh TooLarge()
+{
+  AwkwardMesh mesh = Finish("size-1e20", PlainBox(), 1e20);
+  mesh.Refusal = "beyond 1e18";
+  return mesh;
+}
+
 /// Only a point that no cell uses is not a number.
 AwkwardMesh UnusedNotFinite()
 {
@@ -594,7 +601,7 @@ std::vector<AwkwardMesh> AwkwardMeshes(Run run, const std::string& name)
   std::vector<AwkwardMesh> all = { Moebius(), Hourglass(), Fan(), Crossing(), DuplicateFaces(), OpenSheets(), Nested(),
     Slivers(), PlacedBox("size-1e-7", 1e-7, {}), PlacedBox("size-1e7", 1e7, {}),
     PlacedBox("away-1e9", 1.0, { 1e9, -1e9, 1e9 }), PlacedBox("size-1e-20", 1e-20, {}, Run::Long),
-    PlacedBox("size-1e20", 1e20, {}, Run::Long), OneTriangle(), Strips(), Finish("quads", PlainBox()), Keyhole(), Star(),
+    PlacedBox("size-1e17", 1e17, {}, Run::Long), TooLarge(), OneTriangle(), Strips(), Finish("quads", PlainBox()), Keyhole(), Star(),
     VerticesOnly(), LinesOnly(), NoArea(), Finish("empty", Builder()), Degenerate(), MixedCells(), Volumes(), NarrowIds(),
     WideIds(), Finish("float-points", PlainBox(), 1.0, {}, VTK_FLOAT), GhostCells(), NotFinite("nan-point", nan),
     NotFinite("inf-point", infinite), UnusedNotFinite(), WrongIds("id-too-large", 99), WrongIds("id-negative", -1),

@@ -130,7 +130,7 @@ TEST(ConeData, ConeSetFaultsAreNamed)
   EXPECT_EQ(ConeErrorWith("Axis", 0, 5.0).find("The \"Axis\" of cone 1 has the length 5.0"), 0u);
   EXPECT_EQ(ConeErrorWith("Normal", 1, NaN), "The \"Normal\" of cone 1 is not finite.");
   EXPECT_EQ(ConeErrorWith("BaseRadius", 0, -1.0),
-    "The \"BaseRadius\" of cone 1 is -1.000000: it must be finite, at most 1e30 and not negative.");
+    "The \"BaseRadius\" of cone 1 is -1.000000: it must be finite, at most 1e18 and not negative.");
   EXPECT_EQ(ConeErrorWith("BaseRadius", 0, NaN).find("The \"BaseRadius\" of cone 1 is "), 0u);
   for (const double angle : { 1.5709, -1.5709, NaN, HUGE_VAL })
   {

@@ -102,6 +102,17 @@ TEST_F(ImageWarnings, AConeSetThatDiscardsMuch)
   EXPECT_SAYS(this->VolumeWarnings(), "50 % of the shadow vectors lie in no cone");
 }
 
+TEST_F(ImageWarnings, ConesThatHoldAllOfTheMediumAreNotWhatRaysFind)
+{
+  this->ConnectDisc();
+  this->Filter->SetConeSetData(ConeSetOf({ MakeCone({ 0.0, 1e3, 0.0 }, { 0.0, -1.0, 0.0 }, 100.0, 0.1, 0) }));
+  this->Filter->SetModeToFast();
+  EXPECT_SAYS(this->Warnings(), "Mode Fast asks no rays, and cones hold more than the shadow, or less: at 64 pixels the medium "
+                                "shows 0 % of the light that rays find");
+  this->Filter->SetModeToMedium(); // which asks inside of them
+  EXPECT_EQ(this->Warnings(), "");
+}
+
 TEST_F(ImageWarnings, AProvedSetThatWasEditedIsNotProved)
 {
   this->ConnectDisc();
