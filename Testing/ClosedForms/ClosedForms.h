@@ -9,6 +9,7 @@
 #ifndef ClosedForms_h
 #define ClosedForms_h
 
+#include "scConstants.h"
 #include "scVector3.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ namespace shadowcones
 namespace closedforms
 {
 
-constexpr double Pi = 3.14159265358979323846;
+using shadowcones::Pi;
 
 inline double ClampedAcos(double x)
 {

@@ -6,6 +6,7 @@
 #ifndef TestMeshes_h
 #define TestMeshes_h
 
+#include "scConstants.h"
 #include "scTriangleMesh.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ namespace shadowcones
 namespace testsupport
 {
 
-constexpr double Pi = 3.14159265358979323846;
+using shadowcones::Pi;
 
 /// Where a test happens: everything is scaled, then moved.
 struct Placement
