@@ -10,6 +10,11 @@ vtk_module_wrap_python(
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   INSTALL_HEADERS OFF
   BUILD_STATIC OFF)
+# What is generated mostly reads headers, and calls more than it computes: several files are compiled at once, with less care.
+foreach (_module IN ITEMS Sources Filters Imaging Words Page)
+  set_target_properties(ShadowCones${_module}Python PROPERTIES UNITY_BUILD ON)
+  target_compile_options(ShadowCones${_module}Python PRIVATE "$<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>")
+endforeach ()
 
 # Beside the wrapped classes: the helpers, each for one purpose, with their types.
 set(_source_dir "${PROJECT_SOURCE_DIR}/Modules/Python")
