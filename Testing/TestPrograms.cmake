@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# How a program of tests is put together: its files in batches, what all of them read precompiled.
-include(GoogleTest)
+# How a program of tests is put together: its files in batches, what all of them read precompiled, its suites as tests of CTest.
 
 # Most of the time that a test's file takes is that of reading what it includes: the result is files that compile five each. The debug
 # build reads each file alone, and so finds a missing include.
@@ -44,11 +43,24 @@ function (precompile_tests program)
   endif ()
 endfunction ()
 
-# The program ${program} of the files given; in CTest each of its tests is ${name}.<suite>.<test>.
+# A process loads the libraries of VTK, which takes longer than most tests: each suite is one.
+function (add_suites program prefix)
+  set(output "${CMAKE_CURRENT_BINARY_DIR}/${program}/suites.cmake")
+  if (NOT EXISTS "${output}")
+    file(WRITE "${output}" "add_test(${program}_NOT_BUILT ${program}_NOT_BUILT)\n")
+  endif ()
+  add_custom_command(TARGET ${program} POST_BUILD
+    COMMAND "${CMAKE_COMMAND}" "-Dprogram=$<TARGET_FILE:${program}>" "-Dprefix=${prefix}" "-Dtimeout=${test_timeout}"
+      "-Doutput=${output}" -P "${PROJECT_SOURCE_DIR}/Testing/ListSuites.cmake"
+    VERBATIM)
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${output}")
+endfunction ()
+
+# The program ${program} of the files given; in CTest each of its suites is ${name}.<suite>.
 function (add_test_program program name)
   batch_files(sources ${program} ${ARGN})
   add_executable(${program} ${sources})
   target_link_libraries(${program} PRIVATE GTest::gtest_main)
   precompile_tests(${program})
-  gtest_discover_tests(${program} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${test_timeout})
+  add_suites(${program} "${name}.")
 endfunction ()

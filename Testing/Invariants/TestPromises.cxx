@@ -51,6 +51,7 @@ void UpdatePort(vtkAlgorithm* filter, int port, int piece, int pieces)
 
 TEST_P(Promises, ThreadsDoNotChangeABit)
 {
+  const std::string before = vtkSMPTools::GetBackend();
   NamedBytes reference;
   for (const auto& [backend, threads] :
     { std::make_pair("Sequential", 1), std::make_pair("STDThread", 1), std::make_pair("STDThread", 2),
@@ -71,6 +72,7 @@ TEST_P(Promises, ThreadsDoNotChangeABit)
     EXPECT_EQ(Difference(reference, bytes), "") << backend << " " << threads;
   }
   vtkSMPTools::Initialize(0);
+  vtkSMPTools::SetBackend(before.c_str());
   ASSERT_FALSE(reference.empty());
 }
 

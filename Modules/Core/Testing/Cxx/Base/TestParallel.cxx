@@ -59,9 +59,9 @@ TEST(ParallelFor, ReportsGrowingProgressThatEndsAtOne)
     EXPECT_EQ(std::this_thread::get_id(), caller);
     seen.push_back(share);
   };
-  // Long enough for no other thread to do them all before the calling one begins.
-  EXPECT_TRUE(
-    ParallelFor(40, monitor, [](vtkIdType, vtkIdType) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }));
+  // The items take a while: threads that are awake would else leave none to the caller.
+  EXPECT_TRUE(ParallelFor(
+    40, monitor, [](vtkIdType, vtkIdType) { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }));
   EXPECT_GE(seen.size(), 3u); // even few items give more than one value
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   EXPECT_EQ(seen.back(), 1.0);

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Write a test of CTest for each suite of a program of GoogleTest, and where a suite has parameters for each test of it:
+# cmake -Dprogram=FILE -Dprefix=TEXT -Dtimeout=SECONDS -Doutput=FILE -P ListSuites.cmake
+cmake_minimum_required(VERSION 3.18)
+execute_process(COMMAND "${program}" --gtest_list_tests OUTPUT_VARIABLE listed ERROR_VARIABLE errors RESULT_VARIABLE status)
+if (NOT status EQUAL 0)
+  message(FATAL_ERROR "${program} does not list its tests (${status}):\n${listed}${errors}")
+endif ()
+
+set(suites "# Written by ListSuites.cmake\n")
+function (add_suite name filter)
+  set(suites "${suites}add_test([=[${prefix}${name}]=] [=[${program}]=] [=[--gtest_filter=${filter}]=])
+set_tests_properties([=[${prefix}${name}]=] PROPERTIES TIMEOUT ${timeout}
+  FAIL_REGULAR_EXPRESSION [=[Running 0 tests]=])\n" PARENT_SCOPE)
+endfunction ()
+
+# A suite stands at the begin of a line, its tests are indented; what a test's parameter looks like stands behind a #.
+string(REGEX REPLACE " *#[^\n]*" "" listed "${listed}")
+string(REPLACE "\n" ";" listed "${listed}")
+set(parameters -1)
+set(seen)
+foreach (line IN LISTS listed)
+  if (line MATCHES "^([^ ]+)\\.$")
+    set(suite "${CMAKE_MATCH_1}")
+    string(FIND "${suite}" "/" parameters)
+    if (parameters EQUAL -1)
+      add_suite("${suite}" "${suite}.*")
+    endif ()
+  elseif (NOT parameters EQUAL -1 AND line MATCHES "^  ([^/ ]+)(/?)")
+    set(test "${suite}.${CMAKE_MATCH_1}")
+    if (NOT test IN_LIST seen)
+      list(APPEND seen "${test}")
+      if (CMAKE_MATCH_2)
+        add_suite("${test}" "${test}/*")
+      else ()
+        add_suite("${test}" "${test}")
+      endif ()
+    endif ()
+  endif ()
+endforeach ()
+file(WRITE "${output}" "${suites}")
