@@ -207,6 +207,7 @@ private:
       this->Numbers.Names = names;
     }
     std::map<GivenId, int> ids;
+    this->Mesh.OccluderIds.reserve(this->Mesh.SourceCells.capacity());
     for (std::size_t t = this->Mesh.OccluderIds.size(); t < this->Mesh.SourceCells.size(); ++t)
     {
       const GivenId& id = given[static_cast<std::size_t>(this->Mesh.SourceCells[t] - block.FirstCell)];
@@ -250,9 +251,29 @@ bool ReadBlock(const MeshBlock& block, OccluderReader* occluders, TriangleMesh& 
   return true;
 }
 
+/// Make room for all blocks at once: what grows by doubling would keep up to twice what it takes.
+void MakeRoom(TriangleMesh& mesh)
+{
+  std::size_t points = 0;
+  std::size_t triangles = 0;
+  for (const MeshBlock& block : mesh.Blocks)
+  {
+    points += static_cast<std::size_t>(block.Data->GetNumberOfPoints());
+    for (vtkCellArray* cells : { block.Data->GetPolys(), block.Data->GetStrips() })
+    {
+      const vtkIdType corners = cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells();
+      triangles += static_cast<std::size_t>(std::max<vtkIdType>(corners, 0));
+    }
+  }
+  mesh.Points.reserve(3 * points);
+  mesh.Triangles.reserve(3 * triangles);
+  mesh.SourceCells.reserve(triangles);
+}
+
 /// Read the blocks that the mesh is to consist of.
 bool ReadBlocks(bool composite, OccluderReader* occluders, TriangleMesh& mesh, std::string& error)
 {
+  MakeRoom(mesh);
   for (const MeshBlock& block : mesh.Blocks)
   {
     if (!ReadBlock(block, occluders, mesh, error))

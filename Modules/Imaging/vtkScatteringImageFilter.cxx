@@ -304,6 +304,10 @@ bool vtkScatteringImageFilter::RenderMissing(
   {
     return true;
   }
+  if (rendersPixels)
+  {
+    this->Kept->Pixels = nullptr; // another tile's: there is to be room for one, not for two
+  }
   const PreparedRun run(*this->Prepared);
   ImageScene scene(*this->Prepared);
   this->SetOptions(extent, scene);

@@ -2,12 +2,13 @@
 // The table of faults: a row a filter in a mode, a column a kind of fault.
 //   inject-faults               all of them: every progress event, 400 allocations a case, limits of memory
 //   inject-faults --quick       some of each
-//   inject-faults --case NAME   one case
+//   inject-faults --case NAME   one case; large: requests that need more memory than there is
 // Where memory ends within another library, that may end the process: such ends are counted apart, with the library's name.
 #include "Cases.h"
 #include "ChildProcess.h"
 #include "DataBytes.h"
 #include "FailingNew.h"
+#include "LargeRequests.h"
 #include "Messages.h"
 #include "TimeLimit.h"
 
@@ -363,7 +364,7 @@ int main(int argc, char** argv)
   }
   std::cout << " ended elsewhere | lost |\n|---|---|---|---|---|---|\n";
   const std::vector<Case>& cases = AllCases();
-  if (!value.empty() && std::none_of(cases.begin(), cases.end(), [&value](const Case& one) { return one.Name == value; }))
+  if (!value.empty() && value != "large" && std::none_of(cases.begin(), cases.end(), [&value](const Case& one) { return one.Name == value; }))
   {
     std::cerr << "there is no case " << value << "\n";
     return 2;
@@ -387,7 +388,9 @@ int main(int argc, char** argv)
     sum.Elsewhere += row.Elsewhere;
     sum.Lost += row.Lost;
   }
-  std::cout << "\nfaults injected:";
+  std::cout << "\n";
+  sum.Lost += value.empty() || value == "large" ? robustness::TryLargeRequests() : 0;
+  std::cout << "faults injected:";
   for (const std::string& kind : kinds)
   {
     std::cout << " " << kind << " " << sum.Injected[kind] << ",";

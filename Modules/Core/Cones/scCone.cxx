@@ -40,10 +40,24 @@ std::vector<Cone> Lengthened(std::vector<Cone> cones)
 
 std::vector<std::vector<Cone>> ConesOfLights(const std::vector<Cone>& cones, std::size_t count)
 {
-  std::vector<std::vector<Cone>> parts(count);
+  const auto isOfLight = [count](const Cone& cone)
+  { return cone.LightId >= 0 && static_cast<std::size_t>(cone.LightId) < count; };
+  std::vector<std::size_t> sizes(count, 0);
   for (const Cone& cone : cones)
   {
-    if (cone.LightId >= 0 && static_cast<std::size_t>(cone.LightId) < count)
+    if (isOfLight(cone))
+    {
+      ++sizes[static_cast<std::size_t>(cone.LightId)];
+    }
+  }
+  std::vector<std::vector<Cone>> parts(count);
+  for (std::size_t light = 0; light < count; ++light)
+  {
+    parts[light].reserve(sizes[light]);
+  }
+  for (const Cone& cone : cones)
+  {
+    if (isOfLight(cone))
     {
       parts[static_cast<std::size_t>(cone.LightId)].push_back(cone);
     }

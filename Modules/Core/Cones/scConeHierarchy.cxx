@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shadowcones
 {
@@ -53,10 +54,12 @@ struct ConeHierarchy::Implementation
   ConeTree Tree;
 };
 
-ConeHierarchy::ConeHierarchy(const std::vector<Cone>& cones, const Box& bounds, double length)
-  : Impl(new Implementation{ cones, {}, bounds, length, ConeTree::OverSlices(cones, bounds, length) })
+ConeHierarchy::ConeHierarchy(std::vector<Cone> cones, const Box& bounds, double length)
+  : Impl(new Implementation{ {}, {}, bounds, length, ConeTree::OverSlices(cones, bounds, length) })
 {
-  for (const Cone& cone : cones)
+  this->Impl->Cones = std::move(cones);
+  this->Impl->Tangents.reserve(this->Impl->Cones.size());
+  for (const Cone& cone : this->Impl->Cones)
   {
     this->Impl->Tangents.push_back(std::tan(cone.HalfAngle));
   }

@@ -32,7 +32,7 @@ class SHADOWCONESCORE_EXPORT ConeHierarchy
 {
 public:
   /// Cones are copied, cut at @p length from their base and to @p bounds; queries see nothing outside the bounds.
-  ConeHierarchy(const std::vector<Cone>& cones, const Box& bounds, double length = HUGE_VAL);
+  ConeHierarchy(std::vector<Cone> cones, const Box& bounds, double length = HUGE_VAL);
   ~ConeHierarchy();
   ConeHierarchy(const ConeHierarchy&) = delete;
   ConeHierarchy& operator=(const ConeHierarchy&) = delete;

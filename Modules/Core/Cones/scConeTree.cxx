@@ -39,24 +39,45 @@ bool Overlap(const Box& a, const Box& b)
     a.Max.Z >= b.Min.Z;
 }
 
+/// How far a cone reaches, and into how many slices it is cut; none where it does not reach into the bounds.
+struct Slicing
+{
+  Slicing(const Cone& cone, const Box& bounds, double length)
+    : Tangent(std::tan(cone.HalfAngle))
+    , End(std::min({ length, HighestCorner(cone, bounds), TipHeight(cone.BaseRadius, Tangent) }))
+  {
+    if (this->End >= 0.0)
+    {
+      const double width = std::max(cone.BaseRadius, 0.5 * RadiusAt(cone.BaseRadius, this->Tangent, this->End));
+      const double slices = width > 0.0 ? std::ceil(this->End / (sliceAspect * width)) : 1.0 * largestNumberOfSlices;
+      // Bounds that are empty have no end, which gives no number.
+      this->Count = std::isnan(slices) ? 0 : static_cast<int>(std::clamp(slices, 1.0, 1.0 * largestNumberOfSlices));
+    }
+  }
+
+  double Tangent;
+  double End;
+  int Count = 0;
+};
+
 } // anonymous namespace
 
 ConeTree ConeTree::OverSlices(const std::vector<Cone>& cones, const Box& bounds, double length)
 {
+  std::size_t most = 0;
+  for (const Cone& cone : cones)
+  {
+    most += static_cast<std::size_t>(Slicing(cone, bounds, length).Count);
+  }
   std::vector<Entry> entries;
+  entries.reserve(most); // growing by doubling would take up to three times that for a moment
   for (std::size_t i = 0; i < cones.size(); ++i)
   {
     const Cone& cone = cones[i];
-    const double tangent = std::tan(cone.HalfAngle);
-    const double end = std::min({ length, HighestCorner(cone, bounds), TipHeight(cone.BaseRadius, tangent) });
-    if (!(end >= 0.0))
-    {
-      continue;
-    }
-    const double width = std::max(cone.BaseRadius, 0.5 * RadiusAt(cone.BaseRadius, tangent, end));
-    const int slices = width > 0.0
-      ? static_cast<int>(std::clamp(std::ceil(end / (sliceAspect * width)), 1.0, double(largestNumberOfSlices)))
-      : largestNumberOfSlices;
+    const Slicing slicing(cone, bounds, length);
+    const double tangent = slicing.Tangent;
+    const double end = slicing.End;
+    const int slices = slicing.Count;
     for (int slice = 0; slice < slices; ++slice)
     {
       Entry entry;

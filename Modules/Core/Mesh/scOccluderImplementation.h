@@ -73,6 +73,7 @@ struct OccluderScene::Implementation
 
 private:
   void ThrowOnError() const;
+  void AddGeometries(EmbreeCell& cell, const std::vector<CellPiece>& pieces);
   void AddGeometry(EmbreeCell& cell, unsigned int id, const std::vector<CellPiece>& pieces,
     const std::vector<unsigned int>& members);
   bool TraceCell(std::size_t index, EmbreeQuery& query, double first, double last, RayHit* best) const;

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace shadowcones
 {
@@ -93,22 +94,26 @@ void OccluderScene::Implementation::Build(OccluderCell& cell)
   EmbreeCell& built = this->Scenes.back();
   built.Scene = rtcNewScene(this->Device);
   rtcSetSceneFlags(built.Scene, RTC_SCENE_FLAG_ROBUST);
-  std::vector<std::vector<unsigned int>> members(1 + numberOfSizes);
-  for (std::size_t i = 0; i < cell.Pieces.size(); ++i)
+  built.Groups.resize(1 + numberOfSizes); // Embree keeps their addresses
+  this->AddGeometries(built, std::exchange(cell.Pieces, {})); // their copies are gone when the tree is built: that is the peak
+  rtcCommitScene(built.Scene);
+  this->ThrowOnError();
+}
+
+void OccluderScene::Implementation::AddGeometries(EmbreeCell& cell, const std::vector<CellPiece>& pieces)
+{
+  std::vector<std::vector<unsigned int>> members(cell.Groups.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i)
   {
-    members[GroupOf(cell.Pieces[i])].push_back(static_cast<unsigned int>(i));
+    members[GroupOf(pieces[i])].push_back(static_cast<unsigned int>(i));
   }
-  built.Groups.resize(members.size()); // Embree keeps their addresses
   for (std::size_t group = 0; group < members.size(); ++group)
   {
     if (!members[group].empty())
     {
-      this->AddGeometry(built, static_cast<unsigned int>(group), cell.Pieces, members[group]);
+      this->AddGeometry(cell, static_cast<unsigned int>(group), pieces, members[group]);
     }
   }
-  rtcCommitScene(built.Scene);
-  this->ThrowOnError();
-  cell.Pieces = {};
 }
 
 void OccluderScene::Implementation::AddGeometry(EmbreeCell& cell, unsigned int id, const std::vector<CellPiece>& pieces,

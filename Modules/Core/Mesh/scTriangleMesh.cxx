@@ -36,9 +36,9 @@ std::vector<bool> ClosedOccluders(const TriangleMeshView& mesh)
 {
   struct Edge
   {
-    int Occluder;
     vtkIdType Low;
     vtkIdType High;
+    int Occluder;
     int Sign;
   };
   // A point may stand several times at its place: once for each of its normals.
@@ -51,7 +51,7 @@ std::vector<bool> ClosedOccluders(const TriangleMeshView& mesh)
     {
       const vtkIdType a = place[static_cast<std::size_t>(mesh.Triangles[3 * t + corner])];
       const vtkIdType b = place[static_cast<std::size_t>(mesh.Triangles[3 * t + (corner + 1) % 3])];
-      edges.push_back({ mesh.OccluderId(t), std::min(a, b), std::max(a, b), a < b ? 1 : -1 });
+      edges.push_back({ std::min(a, b), std::max(a, b), mesh.OccluderId(t), a < b ? 1 : -1 });
     }
   }
   const auto key = [](const Edge& e) { return std::tie(e.Occluder, e.Low, e.High); };

@@ -25,6 +25,7 @@ public:
     , Order(parts.size())
   {
     std::iota(this->Order.begin(), this->Order.end(), 0);
+    this->Middles.reserve(parts.size());
     for (const OccluderPart& part : parts)
     {
       this->Middles.push_back((1.0 / 3.0) * (part.Corners[0] + part.Corners[1] + part.Corners[2]));
@@ -175,6 +176,7 @@ private:
       }
     }
     KeepOutermost(cluster.Held);
+    cluster.Held.shrink_to_fit(); // few are left of many
     std::size_t half = 0;
     if (ConeAround(this->Mesh.LightParts(), cluster.Held, nullptr, cluster.Bound))
     {

@@ -252,6 +252,7 @@ void OccluderParts::BuildNodes()
   const Box bounds = MeshBounds(this->View);
   const double scale = bounds.Diagonal() > 0.0 ? 2097151.0 / bounds.Diagonal() : 0.0;
   std::vector<std::pair<std::uint64_t, vtkIdType>> codes;
+  codes.reserve(static_cast<std::size_t>(this->View.NumberOfTriangles));
   for (vtkIdType i = 0; i < this->View.NumberOfTriangles; ++i)
   {
     if (this->View.OccluderId(i) >= 0)
@@ -263,12 +264,15 @@ void OccluderParts::BuildNodes()
     }
   }
   std::sort(codes.begin(), codes.end());
+  this->Order.reserve(codes.size());
   for (const auto& code : codes)
   {
     this->Order.push_back(code.second);
   }
   const auto count = static_cast<vtkIdType>(codes.size());
+  codes = {};
   this->Levels.emplace_back();
+  this->Levels[0].reserve(static_cast<std::size_t>((count + trianglesPerLeaf - 1) / trianglesPerLeaf));
   for (vtkIdType begin = 0; begin < count; begin += trianglesPerLeaf)
   {
     Node leaf{ {}, begin, std::min(count, begin + trianglesPerLeaf) };
@@ -333,10 +337,17 @@ bool OccluderParts::FindUnproved(const std::vector<Cone>& cones, const Monitor& 
       found[root].swap(search.Unproved);
     }
   });
+  std::size_t size = 0;
+  for (const std::vector<OccluderPart>& ofRoot : found)
+  {
+    size += ofRoot.size();
+  }
+  unproved.reserve(finished ? size : 0);
   for (vtkIdType root = 0; finished && root < roots; ++root)
   {
     proved += counts[root];
     unproved.insert(unproved.end(), found[root].begin(), found[root].end());
+    found[root] = {};
   }
   return finished;
 }
