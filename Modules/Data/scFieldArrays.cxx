@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scFieldArrays.h"
 
+#include "scHandOver.h"
+#include "scLargePages.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -23,13 +26,22 @@ namespace shadowcones
 namespace
 {
 
+/// Room for so many tuples, not touched yet.
+template <typename ArrayT>
+void MakeRoom(ArrayT* array, vtkIdType tuples)
+{
+  array->SetNumberOfTuples(tuples);
+  const auto values = static_cast<std::size_t>(array->GetNumberOfValues());
+  PreferLargePages(array->GetPointer(0), values * sizeof(*array->GetPointer(0)));
+}
+
 template <typename ArrayT, typename T>
 void AddArray(vtkFieldData* data, const char* name, int components, const std::vector<T>& values)
 {
   vtkNew<ArrayT> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  MakeRoom(array.Get(), static_cast<vtkIdType>(values.size()) / components);
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   data->AddArray(array);
 }
@@ -121,26 +133,30 @@ void SetVertices(vtkPolyData* output, const std::vector<double>& points)
   const auto count = static_cast<vtkIdType>(points.size() / 3);
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(count);
+  MakeRoom(coordinates.Get(), count);
   std::copy(points.begin(), points.end(), coordinates->GetPointer(0));
   vtkNew<vtkPoints> vtkpoints;
   vtkpoints->SetDataTypeToDouble();
   vtkpoints->SetData(coordinates);
+  output->SetPoints(vtkpoints);
+  output->SetVerts(VerticesOf(count));
+}
 
+vtkSmartPointer<vtkCellArray> VerticesOf(vtkIdType count)
+{
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> connectivity;
-  offsets->SetNumberOfValues(count + 1);
-  connectivity->SetNumberOfValues(count);
+  MakeRoom(offsets.Get(), count + 1);
+  MakeRoom(connectivity.Get(), count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     offsets->SetValue(i, i);
     connectivity->SetValue(i, i);
   }
   offsets->SetValue(count, count);
-  vtkNew<vtkCellArray> vertices;
+  auto vertices = vtkSmartPointer<vtkCellArray>::New();
   vertices->SetData(offsets, connectivity);
-  output->SetPoints(vtkpoints);
-  output->SetVerts(vertices);
+  return vertices;
 }
 
 } // namespace shadowcones

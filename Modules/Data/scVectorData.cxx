@@ -2,14 +2,21 @@
 #include "scVectorData.h"
 
 #include "scFieldArrays.h"
+#include "scHandOver.h"
 #include "scTuples.h"
 
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace shadowcones
 {
@@ -26,6 +33,17 @@ bool CopyLightIds(vtkDataArray* array, const char* item, std::vector<int>& ids, 
     return false;
   }
   return true;
+}
+
+/// A vertex for each point, whose coordinates are handed over.
+void GiveVertices(vtkPolyData* output, std::vector<double>& points)
+{
+  const auto coordinates = HandOver<vtkDoubleArray>(3, points);
+  vtkNew<vtkPoints> vtkpoints;
+  vtkpoints->SetDataTypeToDouble();
+  vtkpoints->SetData(coordinates);
+  output->SetPoints(vtkpoints);
+  output->SetVerts(VerticesOf(coordinates->GetNumberOfTuples()));
 }
 } // namespace
 
@@ -143,42 +161,42 @@ bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& e
 
 void WriteShadowVectors(ShadowVectors& vectors, vtkPolyData* output)
 {
-  SetVertices(output, std::exchange(vectors.Points, {}));
+  GiveVertices(output, vectors.Points);
   vtkPointData* data = output->GetPointData();
-  AddFloatArray(data, "Direction", 3, std::exchange(vectors.Directions, {}));
-  AddFloatArray(data, "Normal", 3, std::exchange(vectors.Normals, {}));
-  AddIntArray(data, "OccluderId", 1, std::exchange(vectors.OccluderIds, {}));
-  AddDoubleArray(data, "EmissionPoint", 3, std::exchange(vectors.EmissionPoints, {}));
-  AddFloatArray(data, "PathLength", 1, std::exchange(vectors.PathLengths, {}));
-  AddFloatArray(data, "Thickness", 1, std::exchange(vectors.Thicknesses, {}));
-  AddIdArray(data, "PhotonIndex", std::exchange(vectors.PhotonIndices, {}));
-  AddIntArray(data, "LightId", 1, std::exchange(vectors.LightIds, {}));
+  GiveArray<vtkFloatArray>(data, "Direction", 3, vectors.Directions);
+  GiveArray<vtkFloatArray>(data, "Normal", 3, vectors.Normals);
+  GiveArray<vtkIntArray>(data, "OccluderId", 1, vectors.OccluderIds);
+  GiveArray<vtkDoubleArray>(data, "EmissionPoint", 3, vectors.EmissionPoints);
+  GiveArray<vtkFloatArray>(data, "PathLength", 1, vectors.PathLengths);
+  GiveArray<vtkFloatArray>(data, "Thickness", 1, vectors.Thicknesses);
+  GiveArray<vtkIdTypeArray>(data, "PhotonIndex", 1, vectors.PhotonIndices);
+  GiveArray<vtkIntArray>(data, "LightId", 1, vectors.LightIds);
 }
 
 void WritePhotonPaths(PhotonPaths& paths, vtkPolyData* output)
 {
-  SetVertices(output, std::exchange(paths.Points, {}));
+  GiveVertices(output, paths.Points);
   vtkPointData* data = output->GetPointData();
-  AddIntArray(data, "PathState", 1, std::exchange(paths.States, {}));
-  AddIntArray(data, "OccluderId", 1, std::exchange(paths.OccluderIds, {}));
-  AddDoubleArray(data, "EmissionPoint", 3, std::exchange(paths.EmissionPoints, {}));
-  AddFloatArray(data, "Direction", 3, std::exchange(paths.Directions, {}));
-  AddFloatArray(data, "Power", 1, std::exchange(paths.Powers, {}));
-  AddIdArray(data, "PhotonIndex", std::exchange(paths.PhotonIndices, {}));
-  AddIntArray(data, "LightId", 1, std::exchange(paths.LightIds, {}));
+  GiveArray<vtkIntArray>(data, "PathState", 1, paths.States);
+  GiveArray<vtkIntArray>(data, "OccluderId", 1, paths.OccluderIds);
+  GiveArray<vtkDoubleArray>(data, "EmissionPoint", 3, paths.EmissionPoints);
+  GiveArray<vtkFloatArray>(data, "Direction", 3, paths.Directions);
+  GiveArray<vtkFloatArray>(data, "Power", 1, paths.Powers);
+  GiveArray<vtkIdTypeArray>(data, "PhotonIndex", 1, paths.PhotonIndices);
+  GiveArray<vtkIntArray>(data, "LightId", 1, paths.LightIds);
 }
 
 void WriteShadowPhotons(ShadowPhotons& photons, vtkPolyData* output)
 {
-  SetVertices(output, std::exchange(photons.Points, {}));
+  GiveVertices(output, photons.Points);
   vtkPointData* data = output->GetPointData();
-  AddFloatArray(data, "Normal", 3, std::exchange(photons.Normals, {}));
-  AddFloatArray(data, "Direction", 3, std::exchange(photons.Directions, {}));
-  AddFloatArray(data, "Power", 1, std::exchange(photons.Powers, {}));
-  AddIntArray(data, "OccluderId", 1, std::exchange(photons.OccluderIds, {}));
-  AddIntArray(data, "ReceiverId", 1, std::exchange(photons.ReceiverIds, {}));
-  AddIdArray(data, "PhotonIndex", std::exchange(photons.PhotonIndices, {}));
-  AddIntArray(data, "LightId", 1, std::exchange(photons.LightIds, {}));
+  GiveArray<vtkFloatArray>(data, "Normal", 3, photons.Normals);
+  GiveArray<vtkFloatArray>(data, "Direction", 3, photons.Directions);
+  GiveArray<vtkFloatArray>(data, "Power", 1, photons.Powers);
+  GiveArray<vtkIntArray>(data, "OccluderId", 1, photons.OccluderIds);
+  GiveArray<vtkIntArray>(data, "ReceiverId", 1, photons.ReceiverIds);
+  GiveArray<vtkIdTypeArray>(data, "PhotonIndex", 1, photons.PhotonIndices);
+  GiveArray<vtkIntArray>(data, "LightId", 1, photons.LightIds);
 }
 
 void WriteLabelledVectors(

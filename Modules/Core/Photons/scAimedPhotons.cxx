@@ -238,10 +238,7 @@ BundleDeal DealInRanges(const Team* team, const std::vector<AimedBundle>& aimed,
   std::vector<double> ends;
   for (std::size_t k = 0; k < aimed.size(); ++k)
   {
-    // Whose path a photon has is asked of one bundle after the other.
-    constexpr double ownWork = 256.0;
-    const double before = ends.empty() ? 0.0 : ends.back();
-    ends.push_back(before + (ownWork + static_cast<double>(k)) * static_cast<double>(bundles.PhotonsOf(aimed[k].Bundle)));
+    ends.push_back((ends.empty() ? 0.0 : ends.back()) + static_cast<double>(bundles.PhotonsOf(aimed[k].Bundle)));
   }
   for (std::size_t k = 0; k < aimed.size(); ++k)
   {
@@ -334,6 +331,10 @@ bool ForEachBundle(std::vector<AimedBundle>& aimed, Team* team, const BundleDeal
     {
       AppendAll(several ? found : *result, ranges);
     }
+    if (done && result && several)
+    {
+      MakeRoomForAll(*team, found, *result);
+    }
     return done;
   };
   if (!join.Run(work))
@@ -352,17 +353,19 @@ std::vector<AimedBundle> MakeBundles(const CasterBoxes& casters, const std::vect
   std::vector<AimedBundle> aimed;
   for (std::size_t light = 0; light < scarce.size(); ++light)
   {
+    std::vector<Box> boxes;
     for (const ScarceOccluders& group : BoxesToAimAt(casters, scarce[light], mostOfLight))
     {
       aimed.emplace_back();
-      aimed.back().Bundle = bundles.NumberOfBundles();
+      aimed.back().Bundle = bundles.NumberOfBundles() + boxes.size();
       aimed.back().Ids = group.Ids;
-      bundles.Aim(static_cast<int>(light), group.Bounds);
-      bundles.SetPhotons(aimed.back().Bundle, 1); // it has its paths from now on
+      boxes.push_back(group.Bounds);
     }
+    bundles.Aim(static_cast<int>(light), boxes);
   }
   for (AimedBundle& bundle : aimed)
   {
+    bundles.SetPhotons(bundle.Bundle, 1); // it has its paths from now on
     bundle.MostPhotons = goal.MostPhotons(aimed.size(), bundle.Ids.size());
     bundle.Restart();
   }

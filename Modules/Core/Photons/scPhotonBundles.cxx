@@ -45,26 +45,31 @@ std::vector<double> PhotonBundles::PowersOf(const std::vector<Bundle>& bundles)
   return powers;
 }
 
-void PhotonBundles::Aim(int light, const Box& box)
+void PhotonBundles::Aim(int light, const std::vector<Box>& boxes)
 {
-  this->AimedOf[static_cast<std::size_t>(light)].push_back(this->Bundles.size());
-  this->Bundles.push_back({ light, PhotonEmission(this->Lights[static_cast<std::size_t>(light)], box, this->Whole),
-    HashSeed(HashSeed(this->Seed, aimedSequences), this->Bundles.size()) });
-  this->Ends.push_back(this->NumberOfAimedPhotons());
+  AimedBundles& aimed = this->AimedOf[static_cast<std::size_t>(light)];
+  for (const Box& box : boxes)
+  {
+    aimed.Bundles.push_back(this->Bundles.size());
+    this->Bundles.push_back({ light, PhotonEmission(this->Lights[static_cast<std::size_t>(light)], box, this->Whole),
+      HashSeed(HashSeed(this->Seed, aimedSequences), this->Bundles.size()) });
+    this->Ends.push_back(this->NumberOfAimedPhotons());
+  }
+  std::vector<Box> targets;
+  for (const std::size_t bundle : aimed.Bundles)
+  {
+    targets.push_back(this->Bundles[bundle].Emission.Target());
+  }
+  aimed.Boxes = AimedBoxes(targets);
 }
 
 std::size_t PhotonBundles::OwnerOf(int light, const EmittedPhoton& photon) const
 {
   const auto own = static_cast<std::size_t>(light);
-  const auto meets = [&](std::size_t bundle)
-  {
-    double from = 0.0;
-    double to = HUGE_VAL;
-    return this->PhotonsOf(bundle) > 0 &&
-      this->Bundles[bundle].Emission.Target().Clip(photon.Origin, photon.Direction, from, to);
-  };
-  const auto found = std::find_if(this->AimedOf[own].begin(), this->AimedOf[own].end(), meets);
-  return found == this->AimedOf[own].end() ? own : *found;
+  const AimedBundles& aimed = this->AimedOf[own];
+  const std::size_t first = aimed.Boxes.FirstMet(
+    photon.Origin, photon.Direction, [&](std::size_t k) { return this->PhotonsOf(aimed.Bundles[k]) > 0; });
+  return first == aimed.Bundles.size() ? own : aimed.Bundles[first];
 }
 
 EmittedPhoton PhotonBundles::Emit(std::size_t bundle, vtkIdType index) const

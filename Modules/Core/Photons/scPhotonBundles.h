@@ -6,6 +6,7 @@
 #ifndef scPhotonBundles_h
 #define scPhotonBundles_h
 
+#include "scAimedBoxes.h"
 #include "scLightShares.h"
 #include "scPhotonEmission.h"
 
@@ -28,8 +29,8 @@ class PhotonBundles
 public:
   PhotonBundles(const std::vector<Light>& lights, const TriangleMeshView& mesh, std::uint64_t seed);
 
-  /// Aim photons of a light at a box, and count its paths for this bundle from now on, unless an earlier one has them.
-  void Aim(int light, const Box& box);
+  /// Aim photons of a light at boxes, a bundle each, which has the paths that meet its box from now on, unless an earlier one has them.
+  void Aim(int light, const std::vector<Box>& boxes);
   std::size_t NumberOfBundles() const { return this->Bundles.size(); }
   int LightOf(std::size_t bundle) const { return this->Bundles[bundle].Light; }
 
@@ -68,7 +69,12 @@ private:
   double Whole;
   std::uint64_t Seed;
   std::vector<Bundle> Bundles;
-  std::vector<std::vector<std::size_t>> AimedOf; ///< of each light
+  struct AimedBundles
+  {
+    std::vector<std::size_t> Bundles;
+    AimedBoxes Boxes; ///< that their photons are aimed at
+  };
+  std::vector<AimedBundles> AimedOf; ///< of each light
   LightShares Shares;
   std::vector<vtkIdType> Ends; ///< of the aimed bundles' photons
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scPhotonTracing.h"
 
+#include "scLargePages.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -27,7 +29,7 @@ void AppendAll(ShadowVectorResult& result, const std::vector<ShadowVectorResult*
       if (needed > values.capacity())
       {
         // Not twice what there is, which would be the peak of memory; but more than needed where many ranges follow.
-        values.reserve(std::max(needed, values.capacity() + values.capacity() / 4));
+        ReserveLarge(values, std::max(needed, values.capacity() + values.capacity() / 4));
       }
     });
   for (ShadowVectorResult* range : ranges)
@@ -37,6 +39,15 @@ void AppendAll(ShadowVectorResult& result, const std::vector<ShadowVectorResult*
     result.MeanSolidAngle += range->MeanSolidAngle;
     *range = {};
   }
+}
+
+void MakeRoomForAll(const Team& team, const ShadowVectorResult& own, ShadowVectorResult& all)
+{
+  constexpr double more = 1.1; // than this process has: what is left is not touched
+  const double share = more * team.GetSize();
+  ForEachArray(own, all,
+    [share](int, int, const auto& part, auto& values)
+    { ReserveLarge(values, values.size() + static_cast<std::size_t>(share * static_cast<double>(part.size()))); });
 }
 
 void AddPhotons(TeamJoin& join, ShadowVectorResult& own, ShadowVectorResult& all)
@@ -83,6 +94,10 @@ bool PhotonTracing::TraceRange(vtkIdType begin, vtkIdType end, const Monitor& mo
     if (finished)
     {
       AppendAll(AreSeveral(this->Workers) ? found : result, ranges);
+    }
+    if (finished && AreSeveral(this->Workers))
+    {
+      MakeRoomForAll(*this->Workers, found, result);
     }
     return finished;
   };

@@ -70,6 +70,8 @@ void ForEachArray(A& a, B& b, const Visitor& visit)
 
 /// Append the results of ranges that follow each other, and free them.
 void AppendAll(ShadowVectorResult& result, const std::vector<ShadowVectorResult*>& ranges);
+/// Each process of the team has found about as much as this one: make room for that of all, behind what is there.
+void MakeRoomForAll(const Team& team, const ShadowVectorResult& own, ShadowVectorResult& all);
 /// Join all that photons left behind in each process behind what is there, but for sums.
 void AddPhotons(TeamJoin& join, ShadowVectorResult& own, ShadowVectorResult& all);
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Work shared by processes: who has which items, what all have behind it, and what happens where one fails.
+#include "scLargePages.h"
 #include "scTeam.h"
 
 #include "ThreadTeam.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <numeric>
 #include <stdexcept>
@@ -149,4 +151,18 @@ TEST(TeamJoin, OneThatLeftOrHasOtherItemsIsAFailure)
       join.AddItems(values, share);
       EXPECT_THROW(join.Run([] { return true; }), std::runtime_error);
     });
+}
+
+TEST(LargePages, ValuesStayWhereTheyWere)
+{
+  for (const std::size_t count : { std::size_t(0), std::size_t(3), std::size_t(1) << 20 })
+  {
+    std::vector<double> values{ 1.0, 2.0, 3.0 };
+    ReserveLarge(values, count);
+    EXPECT_GE(values.capacity(), count);
+    values.resize(std::max<std::size_t>(count, 3), 4.0);
+    EXPECT_EQ(values[2], 3.0);
+    EXPECT_EQ(std::count(values.begin() + 3, values.end(), 4.0), static_cast<std::ptrdiff_t>(values.size() - 3));
+  }
+  PreferLargePages(nullptr, 0);
 }

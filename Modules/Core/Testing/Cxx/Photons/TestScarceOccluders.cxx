@@ -2,6 +2,7 @@
 // Photons aimed at occluders that the bounds of all would hide: counts, powers by closed forms, pieces.
 #include "TestLights.h"
 #include "TestMeshes.h"
+#include "scAimedBoxes.h"
 #include "scPhotonBundles.h"
 #include "scScarceOccluders.h"
 #include "scShadowVectors.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 #include <string>
 
 namespace
@@ -276,4 +278,37 @@ TEST(ScarceOccluders, ManyAreAimedAtInGroups)
   EXPECT_EQ(ids.size(), 999u);
   EXPECT_EQ(std::count(ids.begin(), ids.end(), 17), 0);
   EXPECT_TRUE(std::unique(ids.begin(), ids.end()) == ids.end());
+}
+
+TEST(AimedBoxes, TheFirstThatARayMeetsIsThatOfAskingOneAfterTheOther)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  const auto vector = [&] { return Vector3{ place(random), place(random), place(random) }; };
+  for (const std::size_t count : { 0, 1, 2, 3, 64, 200 })
+  {
+    std::vector<Box> boxes;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const Vector3 middle = vector();
+      const double half = k % 7 == 0 ? 0.0 : 0.1 * (1.0 + place(random)); // flat ones too
+      boxes.push_back({ middle - Vector3{ half, 0.05, half }, middle + Vector3{ half, 0.05, half } });
+    }
+    const AimedBoxes aimed(boxes);
+    const auto counts = [](std::size_t k) { return k % 5 != 0; };
+    for (int ray = 0; ray < 2000; ++ray)
+    {
+      const Vector3 origin = 2.0 * vector();
+      Vector3 direction = vector();
+      direction.X = ray % 3 == 0 ? 0.0 : direction.X;
+      direction.Z = ray % 9 == 0 ? 0.0 : direction.Z;
+      std::size_t first = 0;
+      for (double from = 0.0, to = HUGE_VAL;
+           first < count && !(counts(first) && boxes[first].Clip(origin, direction, from, to)); from = 0.0, to = HUGE_VAL)
+      {
+        ++first;
+      }
+      ASSERT_EQ(aimed.FirstMet(origin, direction, counts), first) << count << " boxes, ray " << ray;
+    }
+  }
 }
