@@ -17,14 +17,15 @@ namespace
 constexpr int fewestSamples = 8;
 constexpr int mostFirstSamples = 32;
 /// More samples than the first look asks for, so that they seldom fall short.
-constexpr double safety = 1.5;
+constexpr double safety = 1.2;
 /// Where samples are this many times as wrong as wanted more of them are taken.
 constexpr double farOff = 1.5;
 /// The error of n samples is about this share of the light in the intervals, over n^(3/4), where nothing is known yet.
 constexpr double expectedSpread = 0.3;
 /// An edge of the shadow may lie anywhere in the part of one sample: 1 / sqrt(12), once.
 constexpr double edgeSpread = 0.29;
-/// Where all samples say the same, a thin shadow or beam may have slipped between a few of them.
+/// Where all samples say the same, or those that do not are single ones, a thin shadow or beam may have slipped between a
+/// few of them.
 constexpr double unseenSpread = 0.7;
 /// Which is as much as this above what is wanted where nothing else is wrong.
 constexpr double unseenExcess = 1.4;
@@ -166,23 +167,18 @@ void BlockedLight::Estimate(int most)
   }
 }
 
-double BlockedLight::EdgeVariance(const Pass& pass) const
+BlockedLight::PassError BlockedLight::ErrorOf(const Pass& pass) const
 {
-  if (pass.Count < 2)
-  {
-    return 0.0;
-  }
-  // Neighbours differ by the light point and by the place: this rates the sum as if light points were independent.
-  const double r = this->Ratio.Ratio();
-  const double squares = pass.VisibleVisible - 2.0 * r * pass.AllVisible + r * r * pass.AllAll;
-  return std::max(0.5 * squares, 0.0) * pass.Count / (pass.Count - 1) * this->Ratio.PerAll() * this->Ratio.PerAll();
-}
-
-double BlockedLight::UnseenVariance(const Pass& pass) const
-{
+  const double inside = this->Intervals.MeanInside();
+  const double perAll = this->Ratio.PerAll();
+  const double unit = perAll > 0.0 ? inside / (perAll * pass.Count) : 0.0;
+  const SampleColumns::Error error =
+    SampleColumns::ErrorOf(pass.Differences, pass.Count, this->Ratio.Ratio(), unit);
   const bool alike = pass.NumberOfVisible == 0 || pass.NumberOfVisible == pass.NumberOfLit;
-  const double unseen = (alike ? unseenSpread : edgeSpread) * this->Intervals.MeanInside() / pass.Count;
-  return unseen * unseen;
+  const double share = alike ? 1.0 : error.Roughness;
+  const double unseen = inside / pass.Count;
+  return { error.Variance * perAll * perAll,
+    (share * unseenSpread * unseenSpread + (1.0 - share) * edgeSpread * edgeSpread) * unseen * unseen };
 }
 
 double BlockedLight::SamplesFor(double variance) const
@@ -198,8 +194,9 @@ double BlockedLight::SamplesFor(double variance) const
   for (const Pass& pass : this->Passes)
   {
     const double count = pass.Count;
-    edges += this->EdgeVariance(pass) * pass.Weight * count;
-    unseenSquared += this->UnseenVariance(pass) * count * count * count;
+    const PassError error = this->ErrorOf(pass);
+    edges += error.Edges * pass.Weight * count;
+    unseenSquared += error.Unseen * count * count * count;
     weights += count;
   }
   edges *= safety * std::sqrt(safety) / weights;
@@ -222,7 +219,8 @@ void BlockedLight::Conclude(double litError)
   for (const Pass& pass : this->Passes)
   {
     const double weight = pass.Weight / this->SumOfWeights;
-    this->SampledVariance += weight * weight * (this->EdgeVariance(pass) + this->UnseenVariance(pass));
+    const PassError error = this->ErrorOf(pass);
+    this->SampledVariance += weight * weight * (error.Edges + error.Unseen);
   }
   this->SquaredError = this->Ratio.SquaredError(
     this->Intervals, this->SampledVariance, litError, this->Legs ? this->Legs->ErrorOfLegs : 0.0);
@@ -238,6 +236,8 @@ struct BlockedLight::Packet
     int Cell = 0;
     int Ray = -1; ///< -1: none
     double Weight = 0.0;
+    std::uint32_t U = 0; ///< of the light point
+    std::uint32_t V = 0;
   };
   int Count = 0;
   int Rays = 0;
@@ -245,9 +245,6 @@ struct BlockedLight::Packet
   std::array<Vector3, OccluderScene::PacketSize> Points; ///< of rays
   std::array<Vector3, OccluderScene::PacketSize> Directions;
   std::array<double, OccluderScene::PacketSize> Distances;
-  double AllBefore = 0.0; ///< of the sample before
-  double VisibleBefore = 0.0;
-  bool IsFirst = true;
 };
 
 /// Where the drawing of places and light points is.
@@ -280,10 +277,12 @@ void BlockedLight::Draw(const LitSums& lit, int first, int count, Draws& draws, 
       (k + draws.Random.Next()) / count * this->Intervals.Distributed(), this->Ends, draws.Node, density);
     const Vector3 point = ray.Origin + t * ray.Direction;
     this->Sampler.MoveTo(point);
-    const IncidentSample sample = this->Sampler.Sample(
-      (sequence.U[index] ^ draws.ScrambleU) * 0x1p-32, (sequence.V[index] ^ draws.ScrambleV) * 0x1p-32);
+    const std::uint32_t u = sequence.U[index] ^ draws.ScrambleU;
+    const std::uint32_t v = sequence.V[index] ^ draws.ScrambleV;
+    const IncidentSample sample = this->Sampler.Sample(u * 0x1p-32, v * 0x1p-32);
     const bool sent = sample.Weight > 0.0 && lit.Of(draws.Node.Cell) > 0.0;
-    packet.Places[static_cast<std::size_t>(k - first)] = { t, density, draws.Node.Cell, sent ? packet.Rays : -1, sample.Weight };
+    packet.Places[static_cast<std::size_t>(k - first)] = { t, density, draws.Node.Cell, sent ? packet.Rays : -1,
+      sample.Weight, u, v };
     if (sent)
     {
       const auto at = static_cast<std::size_t>(packet.Rays++);
@@ -332,15 +331,7 @@ void BlockedLight::Add(const LitSums& lit, Packet& packet, double spacing, Pass&
       pass.NumberOfLit += 1;
       pass.NumberOfVisible += blocked ? 0 : 1;
     }
-    if (!packet.IsFirst)
-    {
-      pass.AllAll += (all - packet.AllBefore) * (all - packet.AllBefore);
-      pass.AllVisible += (all - packet.AllBefore) * (visible - packet.VisibleBefore);
-      pass.VisibleVisible += (visible - packet.VisibleBefore) * (visible - packet.VisibleBefore);
-    }
-    packet.IsFirst = false;
-    packet.AllBefore = all;
-    packet.VisibleBefore = visible;
+    this->Columns.Add(all, visible, place.U, place.V);
   }
 }
 
@@ -351,11 +342,13 @@ void BlockedLight::Sample(const LitSums& lit, int count, std::uint64_t seed)
   pass.Weight = count * std::sqrt(static_cast<double>(count));
   Draws draws{ RandomStream(seed, 0) };
   Packet packet;
+  this->Columns.Begin(count);
   for (int first = 0; first < count; first += OccluderScene::PacketSize)
   {
     this->Draw(lit, first, count, draws, packet);
     this->Add(lit, packet, this->Intervals.Distributed() / count, pass);
   }
+  pass.Differences = this->Columns.Sums();
   this->Samples += count;
   this->Passes.push_back(pass);
   this->SumOfWeights += pass.Weight;

@@ -20,6 +20,7 @@
 #include "scOccluderScene.h"
 #include "scRayInterval.h"
 #include "scRenderContext.h"
+#include "scSampleColumns.h"
 #include "scVisibleRatio.h"
 
 #include <cstdint>
@@ -75,16 +76,20 @@ public:
   vtkIdType NumberOfLines() const { return 0; }
 
 private:
-  /// Samples of one pass, as means over wavelengths: sums over neighbours of products of their differences.
+  /// Samples of one pass.
   struct Pass
   {
     int Count = 0;
     int NumberOfLit = 0; ///< by the lamp, were it not for occluders
     int NumberOfVisible = 0;
     double Weight = 0.0; ///< among the passes
-    double AllAll = 0.0;
-    double AllVisible = 0.0;
-    double VisibleVisible = 0.0;
+    SampleColumns::Levels Differences; ///< of means over wavelengths
+  };
+  /// Squared error of one pass.
+  struct PassError
+  {
+    double Edges = 0.0;  ///< from what its samples show; falls as n^-3/2
+    double Unseen = 0.0; ///< from what they may have missed; falls as n^-2
   };
   struct Packet;
   struct Draws;
@@ -96,10 +101,7 @@ private:
   void Conclude(double litError);
   /// Squared error that samples may have.
   double Allowed() const;
-  /// Of one pass over n^-3/2, from what its samples show.
-  double EdgeVariance(const Pass& pass) const;
-  /// Of one pass over n^-2, from what its samples may have missed.
-  double UnseenVariance(const Pass& pass) const;
+  PassError ErrorOf(const Pass& pass) const;
   /// Number of samples of one more pass, so that all passes together have this variance.
   double SamplesFor(double variance) const;
 
@@ -117,6 +119,7 @@ private:
   double Wanted = 0.0; ///< samples of the next pass; 0: nothing to do
   IntervalLight Intervals;
   std::vector<Pass> Passes;
+  SampleColumns Columns; ///< of the pass at hand
   double SumOfWeights = 0.0;
   VisibleRatio Ratio;
   double SampledVariance = 0.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scBlockedLight.h"
 #include "scEndDensity.h"
+#include "scRandom.h"
+#include "scSampleColumns.h"
 
 #include "LitScene.h"
 #include "TestMeshes.h"
@@ -8,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 using namespace shadowcones;
 using namespace testsupport;
@@ -228,6 +231,90 @@ TEST(BlockedLight, DenserEndsChangeNoMean)
     const double error = std::sqrt((squares / seeds - mean * mean) / seeds);
     EXPECT_NEAR(mean, 0.25, 3.0 * error);
     EXPECT_LT(error, 3e-3);
+  }
+}
+
+namespace
+{
+/// Of n samples of a room of place along the ray and light point, how many see light, and what is said of that number.
+struct CountOfSamples
+{
+  double Visible = 0.0;
+  SampleColumns::Error Error;
+
+  template <class IsVisible>
+  CountOfSamples(int n, std::uint64_t seed, IsVisible&& isVisible)
+  {
+    RandomStream random(seed, 0);
+    SampleColumns columns;
+    columns.Begin(n);
+    for (int k = 0; k < n; ++k)
+    {
+      const auto uv = SobolPoint(seed, static_cast<std::uint32_t>(k));
+      const double visible = isVisible((k + random.Next()) / n, uv[0], uv[1]) ? 1.0 : 0.0;
+      columns.Add(1.0, visible, static_cast<std::uint32_t>(0x1p32 * uv[0]), static_cast<std::uint32_t>(0x1p32 * uv[1]));
+      this->Visible += visible;
+    }
+    this->Error = SampleColumns::ErrorOf(columns.Sums(), n, this->Visible / n, 1.0);
+  }
+};
+} // namespace
+
+TEST(SampleColumns, NoiseHasTheVarianceOfIndependentSamples)
+{
+  constexpr int n = 512;
+  double variance = 0.0;
+  double roughness = 0.0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed)
+  {
+    RandomStream coin(seed, 7);
+    const CountOfSamples count(n, seed, [&](double, double, double) { return coin.Next() < 0.3; });
+    variance += count.Error.Variance / 50.0;
+    roughness += count.Error.Roughness / 50.0;
+  }
+  EXPECT_NEAR(variance / (n * 0.3 * 0.7), 1.0, 0.08);
+  EXPECT_GT(roughness, 0.85);
+}
+
+TEST(SampleColumns, LoneEdgesOfAPointOfLightHaveASixthEach)
+{
+  // An edge anywhere in a part: x (1 - x) on average. Half the square of the step, one for each edge, is three times that.
+  constexpr int n = 1000;
+  constexpr int edges = 40;
+  double variance = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    RandomStream random(seed, 7);
+    const double shift = random.Next();
+    const CountOfSamples count(
+      n, seed, [&](double t, double, double) { return static_cast<int>(edges * t + shift) % 2 == 0; });
+    EXPECT_LT(count.Error.Roughness, 0.1);
+    variance += count.Error.Variance / 20.0;
+  }
+  EXPECT_GT(variance, 1.0 * edges / 6.0);
+  EXPECT_LT(variance, 1.5 * edges / 6.0);
+}
+
+TEST(SampleColumns, PenumbraFallsFasterThanIndependentSamples)
+{
+  // The shadow of a straight edge under a large lamp: what is said is more than what many of such numbers scatter by, and not by much.
+  for (const int n : { 64, 512, 4096 })
+  {
+    double sum = 0.0;
+    double squares = 0.0;
+    double variance = 0.0;
+    constexpr int seeds = 200;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed)
+    {
+      const CountOfSamples count(
+        n, seed, [](double t, double u, double v) { return t + 0.5 * u + 0.31 * v < 0.83; });
+      sum += count.Visible / seeds;
+      squares += count.Visible * count.Visible / seeds;
+      variance += count.Error.Variance / seeds;
+    }
+    const double scatter = squares - sum * sum;
+    EXPECT_GT(variance, scatter) << n;
+    EXPECT_LT(variance, 4.0 * scatter) << n;
   }
 }
 
