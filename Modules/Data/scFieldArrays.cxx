@@ -98,13 +98,18 @@ bool CheckAttributes(vtkDataSetAttributes* data, vtkIdType count, const char* wh
   return true;
 }
 
-void AddFloatArray(vtkFieldData* data, const char* name, int components, const std::vector<float>& values)
+void CheckSinglePrecision(const char* name, const std::vector<float>& values)
 {
   if (std::any_of(values.begin(), values.end(), [](float value) { return std::isinf(value); }))
   {
     throw std::overflow_error(std::string("a number of \"") + name +
       "\" is beyond 3.4e38, the most that single precision holds; choose another unit of length or of radiance.");
   }
+}
+
+void AddFloatArray(vtkFieldData* data, const char* name, int components, const std::vector<float>& values)
+{
+  CheckSinglePrecision(name, values);
   AddArray<vtkFloatArray>(data, name, components, values);
 }
 

@@ -39,9 +39,12 @@ SHADOWCONESDATA_EXPORT bool FindArray(vtkFieldData* data, const char* owner, con
 SHADOWCONESDATA_EXPORT bool CheckAttributes(
   vtkDataSetAttributes* data, vtkIdType count, const char* what, std::string& error);
 
+/// Throws std::overflow_error, whose sentence names the array, where a value left single precision.
+SHADOWCONESDATA_EXPORT void CheckSinglePrecision(const char* name, const std::vector<float>& values);
+
 /**
- * A new named array with a copy of values, components a tuple; types as in the name. Throws std::overflow_error,
- * whose sentence names the array, where a value left single precision.
+ * A new named array with a copy of values, components a tuple; types as in the name. Floats are checked by
+ * CheckSinglePrecision().
  */
 SHADOWCONESDATA_EXPORT void AddFloatArray(
   vtkFieldData* data, const char* name, int components, const std::vector<float>& values);

@@ -6,12 +6,13 @@
 #ifndef scHandOver_h
 #define scHandOver_h
 
-#include "vtkCommand.h"
-#include "vtkFieldData.h"
-#include "vtkNew.h"
+#include "scFieldArrays.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,16 +21,9 @@ class vtkCellArray;
 namespace shadowcones
 {
 
-/// Lives as long as the array that it observes, and has its values.
-template <typename T>
-class VectorKeeper : public vtkCommand
-{
-public:
-  static VectorKeeper* New() { return new VectorKeeper; }
-  void Execute(vtkObject*, unsigned long, void*) override {}
-
-  std::vector<T> Values;
-};
+/// Keep what lies at @p place until FreeKept() is called with it, as VTK does when the last array that uses it is gone.
+SHADOWCONESDATA_EXPORT void KeepUntilFreed(void* place, std::shared_ptr<void> values);
+SHADOWCONESDATA_EXPORT void FreeKept(void* place);
 
 /// An array of the values, which are gone then. One that has far more room than values is copied: the room would stay.
 template <typename ArrayT, typename T>
@@ -37,25 +31,28 @@ vtkSmartPointer<ArrayT> HandOver(int components, std::vector<T>& values)
 {
   auto array = vtkSmartPointer<ArrayT>::New();
   array->SetNumberOfComponents(components);
-  vtkNew<VectorKeeper<T>> keeper;
-  keeper->Values = std::exchange(values, {});
-  if (keeper->Values.size() < keeper->Values.capacity() / 2)
+  const auto kept = std::make_shared<std::vector<T>>(std::exchange(values, {}));
+  if (kept->size() < kept->capacity() / 2)
   {
-    keeper->Values.shrink_to_fit();
+    kept->shrink_to_fit();
   }
-  if (!keeper->Values.empty())
+  if (!kept->empty())
   {
-    constexpr int keepsIt = 1; // the array does not free it
-    array->SetArray(keeper->Values.data(), static_cast<vtkIdType>(keeper->Values.size()), keepsIt);
-    array->AddObserver(vtkCommand::DeleteEvent, keeper);
+    KeepUntilFreed(kept->data(), kept);
+    array->SetArray(kept->data(), static_cast<vtkIdType>(kept->size()), 0, ArrayT::VTK_DATA_ARRAY_USER_DEFINED);
+    array->SetArrayFreeFunction(FreeKept);
   }
   return array;
 }
 
-/// The same, as an array of that name.
+/// The same, as an array of that name; throws as AddFloatArray().
 template <typename ArrayT, typename T>
 void GiveArray(vtkFieldData* data, const char* name, int components, std::vector<T>& values)
 {
+  if constexpr (std::is_same_v<T, float>)
+  {
+    CheckSinglePrecision(name, values);
+  }
   const auto array = HandOver<ArrayT>(components, values);
   array->SetName(name);
   data->AddArray(array);

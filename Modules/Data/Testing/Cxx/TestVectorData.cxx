@@ -3,8 +3,10 @@
 #include "scVectorData.h"
 
 #include "scFieldArrays.h"
+#include "scHandOver.h"
 
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -12,7 +14,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 using namespace shadowcones;
 
@@ -88,4 +92,29 @@ TEST(VectorData, PhotonPaths)
   data->GetPointData()->GetArray("EmissionPoint")->SetComponent(0, 2, NaN);
   EXPECT_FALSE(ReadPhotonPaths(data, paths, error));
   EXPECT_EQ(error, "The \"EmissionPoint\" of photon path 0 is not finite.");
+}
+
+TEST(HandOver, ValuesLastAsLongAsAnyArrayThatSharesThem)
+{
+  std::vector<float> values(1000, 7.0f);
+  auto first = HandOver<vtkFloatArray>(1, values);
+  EXPECT_TRUE(values.empty());
+  vtkNew<vtkFloatArray> second;
+  second->ShallowCopy(first);
+  first = nullptr;
+  const std::vector<float> others(1000, -1.0f); // would lie where memory was freed too early
+  EXPECT_EQ(second->GetValue(500), 7.0f);
+  second->InsertNextValue(8.0f); // grows, in memory of VTK's own
+  EXPECT_EQ(second->GetValue(999), 7.0f);
+  EXPECT_EQ(second->GetValue(1000), 8.0f);
+  EXPECT_EQ(others.back(), -1.0f);
+}
+
+TEST(HandOver, NumbersBeyondSinglePrecisionAreNamed)
+{
+  vtkNew<vtkPolyData> data;
+  std::vector<float> values = { 1.0f, std::numeric_limits<float>::infinity() };
+  EXPECT_THROW(GiveArray<vtkFloatArray>(data->GetPointData(), "Power", 1, values), std::overflow_error);
+  EXPECT_THROW(AddFloatArray(data->GetPointData(), "Power", 1, values), std::overflow_error);
+  EXPECT_EQ(data->GetPointData()->GetArray("Power"), nullptr);
 }
