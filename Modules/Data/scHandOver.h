@@ -8,6 +8,7 @@
 
 #include "scFieldArrays.h"
 
+#include "vtkFieldData.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
