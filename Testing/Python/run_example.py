@@ -15,7 +15,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
 TITLES = 30  # pixels
 # Warnings that are right for a few hundred vectors and pixels.
-OF_SMALL_RUNS = ("occluders have no shadow vector", "miss the RelativeErrorGoal")
+OF_SMALL_RUNS = ("occluders have no shadow vector", "miss the RelativeErrorGoal", "asks no rays")
 
 
 def points(reader, path):
