@@ -7,6 +7,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
 #include "vtkInformationVector.h"
@@ -237,7 +238,14 @@ FilterRun::FilterRun(vtkAlgorithm* algorithm, vtkInformation* request, vtkInform
   , Inputs(inputVector)
   , Outputs(outputVector)
 {
-  EmptyOutputs(outputVector);
+  // Of others the pipeline has passed on the field data of the first input, which stay.
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    if (vtkImageData* image = vtkImageData::GetData(outputVector, port))
+    {
+      EmptyOutput(image);
+    }
+  }
 }
 
 namespace

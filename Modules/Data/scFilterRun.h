@@ -94,9 +94,9 @@ SHADOWCONESDATA_EXPORT void EmptyOutputs(vtkInformationVector* outputs);
 SHADOWCONESDATA_EXPORT bool RequestedExtent(vtkInformation* outputInformation, int extent[6]);
 
 /**
- * One RequestData of a filter: made at its beginning, where it empties the outputs (of an image the pipeline keeps the scalars
- * of the run before). At its end every output is stamped with the time it stands for, and
- * processes that have run it together tell each other how it went: where it failed in one there are no outputs in any.
+ * One RequestData of a filter: made at its beginning, where it empties images, of which the pipeline keeps the scalars of the
+ * run before. At its end every output is stamped with the time it stands for, and processes that have run it together tell
+ * each other how it went: where it failed in one there are no outputs in any.
  */
 class SHADOWCONESDATA_EXPORT FilterRun
 {

@@ -367,7 +367,7 @@ TEST(LabelOccluders, FaultsAreNamed)
   EXPECT_SAYS(Error(Make({ 0, 0, 0, 1, 0, 0, 0, nan, 0 }, { { 0, 1, 2 } })),
     "Point 2, used by cell 0, has a coordinate that is not finite.");
   EXPECT_SAYS(Error(Make({ 0, 0, 0, 1, 0, 0, 2, 0, 0 }, { { 0, 1, 2 } })), "No polygon of the mesh has an area");
-  EXPECT_SAYS(Error(Make({ -1.6e308, 0, 0, 1.6e308, 0, 0, 0, 1, 0 }, { { 0, 1, 2 } })), "beyond 1e30");
+  EXPECT_SAYS(Error(Make({ -1.6e308, 0, 0, 1.6e308, 0, 0, 0, 1, 0 }, { { 0, 1, 2 } })), "beyond 1e18");
   EXPECT_SAYS(Error(Cube(), -1.0), "WeldTolerance is -1: it must be in 0..0.1.");
   EXPECT_SAYS(Error(Cube(), 0.2), "WeldTolerance is 0.2:");
   EXPECT_SAYS(Error(Cube(), nan), "WeldTolerance is ");
