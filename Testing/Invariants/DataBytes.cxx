@@ -227,4 +227,14 @@ bool IsEmpty(vtkDataObject* data)
   return set->GetNumberOfPoints() == 0 && set->GetNumberOfCells() == 0;
 }
 
+bool AreOutputsEmpty(vtkAlgorithm* filter)
+{
+  bool empty = true;
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    empty = empty && IsEmpty(filter->GetOutputDataObject(port));
+  }
+  return empty;
+}
+
 } // namespace invariants

@@ -37,6 +37,8 @@ std::string Difference(const NamedBytes& a, const NamedBytes& b);
 
 /// No points, no cells, no arrays with values (images: no arrays).
 bool IsEmpty(vtkDataObject* data);
+/// The same of all outputs of a filter.
+bool AreOutputsEmpty(vtkAlgorithm* filter);
 
 } // namespace invariants
 

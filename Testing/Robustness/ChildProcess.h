@@ -8,14 +8,17 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -92,6 +95,22 @@ inline ChildEnd RunInChild(const std::function<void(const Tell&)>& work)
   }
   waitpid(child, &end.Status, 0);
   return end;
+}
+
+/// This process gets so many more bytes of addresses than it has; below 0: as many as it may have.
+inline void LimitAddresses(std::int64_t more = -1)
+{
+  rlimit limit;
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = limit.rlim_max;
+  if (more >= 0)
+  {
+    std::ifstream file("/proc/self/statm");
+    std::int64_t pages = 0;
+    file >> pages;
+    limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(pages * sysconf(_SC_PAGESIZE) + more));
+  }
+  setrlimit(RLIMIT_AS, &limit);
 }
 
 } // namespace robustness

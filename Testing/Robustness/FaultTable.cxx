@@ -19,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <csignal>
-#include <fstream>
 #include <functional>
 #include <iostream>
 #include <set>
@@ -28,7 +27,6 @@
 
 #include <dlfcn.h>
 #include <execinfo.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 using namespace invariants;
@@ -46,16 +44,6 @@ struct Amount
   int Limits = 12;
   int NextRuns = 20; ///< one in so many faults is followed by a whole run
 };
-
-bool AreEmpty(vtkAlgorithm* filter)
-{
-  bool empty = true;
-  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
-  {
-    empty = empty && IsEmpty(filter->GetOutputDataObject(port));
-  }
-  return empty;
-}
 
 /// A filter that has run once, and what it gave.
 struct Known
@@ -80,7 +68,7 @@ struct Known
   /// Empty where @p said or not whole.
   std::string AfterFault(const std::string& errors, bool mustSay) const
   {
-    if (AreEmpty(this->Set.Filter))
+    if (AreOutputsEmpty(this->Set.Filter))
     {
       return mustSay && errors.empty() ? "empty without a message" : "";
     }
@@ -186,14 +174,6 @@ void FailAllocations(const Case& one, const Amount& amount, long from, const Rep
   }
 }
 
-std::int64_t AddressSpace()
-{
-  std::ifstream file("/proc/self/statm");
-  std::int64_t pages = 0;
-  file >> pages;
-  return pages * sysconf(_SC_PAGESIZE);
-}
-
 /// The library that the deepest call lies in, apart from those of the languages themselves.
 std::string LibraryAtWork()
 {
@@ -219,10 +199,7 @@ const Report* reportOfEnd = nullptr;
 void TellWhoEnds(int signal)
 {
   std::signal(signal, SIG_DFL);
-  rlimit limit;
-  getrlimit(RLIMIT_AS, &limit);
-  limit.rlim_cur = limit.rlim_max;
-  setrlimit(RLIMIT_AS, &limit);
+  robustness::LimitAddresses();
   (*reportOfEnd)("ended", LibraryAtWork(), "");
   std::raise(signal);
 }
@@ -234,23 +211,19 @@ void LimitMemory(const Case& one, std::int64_t bytes, const Report& report)
   Setting setting = one.Make(Size::Small);
   setting.Connect();
   report("begin", std::to_string(bytes), "");
-  const auto room = static_cast<rlim_t>(AddressSpace() + bytes);
   std::array<void*, 2> frames;
   backtrace(frames.data(), 2); // it takes memory the first time
   reportOfEnd = &report;
   std::signal(SIGABRT, TellWhoEnds);
   std::signal(SIGSEGV, TellWhoEnds);
-  rlimit limit;
-  getrlimit(RLIMIT_AS, &limit);
-  limit.rlim_cur = std::min(room, limit.rlim_max);
-  setrlimit(RLIMIT_AS, &limit);
+  robustness::LimitAddresses(bytes);
   std::string lost;
   {
     Messages messages(setting.Filter);
     try
     {
       setting.Filter->Update();
-      lost = AreEmpty(setting.Filter) && messages.Errors.empty() ? "empty without a message" : "";
+      lost = AreOutputsEmpty(setting.Filter) && messages.Errors.empty() ? "empty without a message" : "";
     }
     catch (const std::exception& exception)
     {

@@ -19,13 +19,12 @@
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
-#include <fstream>
+#include <cstdint>
 #include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 using namespace shadowcones::testsupport;
@@ -141,36 +140,15 @@ Request MakeProbe()
   return { probe, [probe](bool isLarge) { probe->SetInputData(Points(isLarge ? 400 : 6)); } };
 }
 
-bool AreEmpty(vtkAlgorithm* filter)
-{
-  bool empty = true;
-  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
-  {
-    empty = empty && IsEmpty(filter->GetOutputDataObject(port));
-  }
-  return empty;
-}
-
-/// So many more addresses than there are now, and no more.
-void LimitAddresses(rlim_t more)
-{
-  std::ifstream file("/proc/self/statm");
-  rlim_t pages = 0;
-  file >> pages;
-  const rlim_t room = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + more;
-  const rlimit limit{ room, room };
-  setrlimit(RLIMIT_AS, &limit);
-}
-
 /// A small request, a large one, the small one again. @return what was not as it should be.
 std::string Try(const Large& large)
 {
-  constexpr rlim_t room = rlim_t(12) << 20;
+  constexpr std::int64_t room = 12 << 20;
   const Request request = large.Make();
   request.Ask(false);
   request.Filter->UpdateWholeExtent();
   const auto small = BytesOfOutputs(request.Filter);
-  if (AreEmpty(request.Filter))
+  if (AreOutputsEmpty(request.Filter))
   {
     return "nothing of a small request";
   }
@@ -183,7 +161,7 @@ std::string Try(const Large& large)
     {
       return "no such message: " + messages.Errors;
     }
-    if (!AreEmpty(request.Filter))
+    if (!AreOutputsEmpty(request.Filter))
     {
       return "outputs that are not empty";
     }
