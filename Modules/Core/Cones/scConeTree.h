@@ -6,6 +6,7 @@
 #ifndef scConeTree_h
 #define scConeTree_h
 
+#include "scBoxRay.h"
 #include "scCone.h"
 
 #include <cstdint>
@@ -39,11 +40,11 @@ public:
   void ForEachOnRay(
     const Vector3& origin, const Vector3& direction, double tMin, double tMax, Visitor&& visit, Skip&& skip) const
   {
-    const Vector3 inverse{ Inverse(direction.X), Inverse(direction.Y), Inverse(direction.Z) };
+    const BoxRay ray(origin, direction);
     const auto test = [&](const Box& box) {
       double enter = tMin;
       double exit = tMax;
-      return MeetsRay(box, origin, inverse, enter, exit) && !skip(enter, exit);
+      return ray.Clip(box, enter, exit) && !skip(enter, exit);
     };
     this->Traverse(test, [&](const Entry& entry) {
       visit(entry);
@@ -96,24 +97,6 @@ private:
 
   explicit ConeTree(std::vector<Entry> entries);
   void BuildNode(std::size_t begin, std::size_t end);
-
-  /// A finite stand-in for 1 / 0: no NaN where a ray runs in the face of a box.
-  static double Inverse(double x) { return x != 0.0 ? 1.0 / x : 1e300; }
-
-  /// Cut [tMin, tMax] to the part inside the box.
-  static bool MeetsRay(const Box& box, const Vector3& origin, const Vector3& inverse, double& tMin, double& tMax)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double a = (box.Min[axis] - origin[axis]) * inverse[axis];
-      const double b = (box.Max[axis] - origin[axis]) * inverse[axis];
-      const double near = a < b ? a : b;
-      const double far = a < b ? b : a;
-      tMin = near > tMin ? near : tMin;
-      tMax = far < tMax ? far : tMax;
-    }
-    return tMin <= tMax;
-  }
 
   /// Stops, and answers true, where visit(entry) does.
   template <typename Test, typename Visitor>

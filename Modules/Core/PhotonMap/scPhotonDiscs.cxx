@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scPhotonDiscs.h"
 
+#include "scBoxRay.h"
 #include "scConstants.h"
 #include "scPhaseFunction.h"
 #include "scWideLoops.h"
@@ -141,16 +142,8 @@ bool DiscPacket::Meets(const PhotonBalls::Node& node) const
   const double margin = this->All.Apart * (1.0 + this->All.Opens) + this->All.Opens * reach + 1e-5 * reach;
   double begin = -margin;
   double end = this->All.End + this->All.Beyond * static_cast<double>(node.Radius) + margin;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double along = this->All.Direction[axis];
-    const double inverse = along != 0.0 ? 1.0 / along : 1e300;
-    const double a = (low[axis] - margin - this->All.Origin[axis]) * inverse;
-    const double b = (high[axis] + margin - this->All.Origin[axis]) * inverse;
-    begin = std::max(begin, std::min(a, b));
-    end = std::min(end, std::max(a, b));
-  }
-  return begin <= end;
+  const Vector3 room{ margin, margin, margin };
+  return BoxRay(this->All.Origin, this->All.Direction).Clip({ low - room, high + room }, begin, end);
 }
 
 bool DiscPacket::Meets(const PhotonBall& ball) const

@@ -6,7 +6,7 @@
 #ifndef scAimedBoxes_h
 #define scAimedBoxes_h
 
-#include "scBox.h"
+#include "scBoxRay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,12 +37,14 @@ public:
     {
       stack[size++] = 0;
     }
-    const Vector3 inverse{ Inverse(direction.X), Inverse(direction.Y), Inverse(direction.Z) };
+    const BoxRay ray(origin, direction);
     while (size > 0)
     {
       const int index = stack[--size];
       const Node& node = this->Nodes[static_cast<std::size_t>(index)];
-      if (node.First >= first || !MayMeet(node.Bounds, origin, inverse))
+      double from = 0.0;
+      double to = HUGE_VAL;
+      if (node.First >= first || !ray.Clip(node.Bounds, from, to))
       {
         continue;
       }
@@ -56,8 +58,8 @@ public:
       }
       else
       {
-        double from = 0.0;
-        double to = HUGE_VAL;
+        from = 0.0;
+        to = HUGE_VAL;
         first = counts(node.First) && this->Boxes[node.First].Clip(origin, direction, from, to) ? node.First : first;
       }
     }
@@ -74,22 +76,6 @@ private:
   using Index = std::vector<std::size_t>::iterator;
 
   void Build(Index begin, Index end);
-
-  /// A finite stand-in for 1 / 0: no NaN where a ray runs in the face of a box.
-  static double Inverse(double x) { return x != 0.0 ? 1.0 / x : 1e300; }
-  static bool MayMeet(const Box& box, const Vector3& origin, const Vector3& inverse)
-  {
-    double from = 0.0;
-    double to = HUGE_VAL;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double a = (box.Min[axis] - origin[axis]) * inverse[axis];
-      const double b = (box.Max[axis] - origin[axis]) * inverse[axis];
-      from = std::max(from, std::min(a, b));
-      to = std::min(to, std::max(a, b));
-    }
-    return from <= to;
-  }
 
   std::vector<Box> Boxes;
   std::vector<Node> Nodes;
