@@ -8,11 +8,13 @@
 //   umbra     the joint umbra of many discs on grids
 //   first     the first image of a body from its mesh on, with cones and without
 //   fog       images with a density image over those without
+//   dark      Guided where most is dark: time at an error
 //   pixels    a Guided image of the sphere at growing sizes: how time grows with pixels, and whether claims hold
 //   threads   each stage on one and on two threads, and its loops replayed item by item on more
 //   memory    bytes of what is kept and the largest memory of each stage, against its formula
 #include "BenchmarkScene.h"
 #include "ErrorCurve.h"
+#include "DarkSpeed.h"
 #include "FirstImage.h"
 #include "FogSpeed.h"
 #include "ProgramOptions.h"
@@ -345,20 +347,22 @@ void MeasurePixels(double triangles, int smallest, int largest, int judged)
 int main(int argc, char* argv[])
 {
   ProgramOptions commandLine("What the pipeline costs beside the estimators.");
-  std::vector<std::string> rows{ "frames", "volume", "probe", "rising", "umbra", "memory", "first", "fog", "pixels", "threads" };
+  std::vector<std::string> rows{ "frames", "volume", "probe", "rising", "umbra", "memory", "first", "fog", "dark", "pixels", "threads" };
   double triangles = 1e6;
   int size = 256;
   int points = 257;
   int largest = 1024;
   int judged = 200;
   std::string scene = "chair";
-  commandLine.Add("--rows", rows, "frames, volume, probe, rising, umbra, memory, first, fog, pixels, threads");
+  std::string folder = ".";
+  commandLine.Add("--rows", rows, "frames, volume, probe, rising, umbra, memory, first, fog, dark, pixels, threads");
   commandLine.Add("--triangles", triangles, "of the sphere");
   commandLine.Add("--size", size, "width and height of images, pixels");
   commandLine.Add("--largest", largest, "width and height of the largest image for pixels");
   commandLine.Add("--judged", judged, "pixels of each image whose claims are checked, for pixels");
   commandLine.Add("--points", points, "of a volume along a side");
   commandLine.Add("--scene", scene, "chair, tree, blob or a mesh file, for probes, threads and first images");
+  commandLine.Add("--cache", folder, "folder that keeps references for dark from one run to the next");
   std::vector<std::string> stages = threadStages;
   commandLine.AddChoice("--stages", stages, "stages for threads", threadStages);
   if (const std::optional<int> status = commandLine.Read(argc, argv))
@@ -400,6 +404,10 @@ int main(int argc, char* argv[])
       else if (row == "fog")
       {
         MeasureFog(64, 3);
+      }
+      else if (row == "dark")
+      {
+        MeasureDark(folder);
       }
       else if (row == "pixels")
       {
