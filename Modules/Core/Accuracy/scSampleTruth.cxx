@@ -5,6 +5,7 @@
 #include "scLightSampling.h"
 #include "scRandom.h"
 
+#include <algorithm>
 #include <array>
 
 namespace shadowcones
@@ -81,6 +82,7 @@ bool MeasureTruth(const std::vector<Vector3>& points, const OccluderScene& scene
   std::uint64_t seed, const Monitor& monitor, std::vector<SampleTruth>& truth)
 {
   std::vector<std::array<double, 4>> pattern;
+  pattern.reserve(static_cast<std::size_t>(std::max(lightSamples, 0)));
   for (int s = 0; s < lightSamples; ++s)
   {
     pattern.push_back(SobolPoint(HashSeed(seed, lightPointStream), static_cast<std::uint32_t>(s)));
