@@ -87,6 +87,19 @@ void* Allocate(std::size_t size, const void* caller)
   return memory;
 }
 
+/// For those that ask for it so: std::stable_sort does with less.
+void* AllocateOrNull(std::size_t size, const void* caller) noexcept
+{
+  try
+  {
+    return Allocate(size, caller);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+}
+
 } // namespace
 
 void* operator new(std::size_t size)
@@ -96,6 +109,14 @@ void* operator new(std::size_t size)
 void* operator new[](std::size_t size)
 {
   return Allocate(size, __builtin_return_address(0));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  return AllocateOrNull(size, __builtin_return_address(0));
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept
+{
+  return AllocateOrNull(size, __builtin_return_address(0));
 }
 void operator delete(void* memory) noexcept
 {
