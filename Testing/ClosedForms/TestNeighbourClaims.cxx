@@ -64,16 +64,24 @@ TEST_P(NeighbourClaims, Hold)
 
 INSTANTIATE_TEST_SUITE_P(Lamps, NeighbourClaims, testing::Values(0.5, 0.01));
 
-TEST(NeighbourClaims, PiecesHaveTheBytesOfTheWhole)
+class NeighbourPieces : public testing::TestWithParam<int>
 {
+};
+
+TEST_P(NeighbourPieces, HaveTheBytesOfTheWhole)
+{
+  const int size = GetParam();
+  const int firstI = std::min(FirstI * size / Size, size - 38);
+  const int firstJ = FirstJ * size / Size;
   ImageTestScene scene = SphereUnderADisc(0.5);
-  scene.Options.Extent = { FirstI, FirstI + 17, FirstJ, FirstJ + 10 };
+  scene.SetSize(size, size);
+  scene.Options.Extent = { firstI, firstI + 37, firstJ, firstJ + 10 };
   const ScatteringImage image = scene.Render(ScatteringMode::Guided, nullptr, nullptr);
-  scene.Options.Extent = { FirstI + 5, FirstI + 17, FirstJ + 9, FirstJ + 10 };
+  scene.Options.Extent = { firstI + 25, firstI + 37, firstJ + 9, firstJ + 10 };
   const ScatteringImage piece = scene.Render(ScatteringMode::Guided, nullptr, nullptr);
-  for (int j = FirstJ + 9; j <= FirstJ + 10; ++j)
+  for (int j = firstJ + 9; j <= firstJ + 10; ++j)
   {
-    for (int i = FirstI + 5; i <= FirstI + 17; ++i)
+    for (int i = firstI + 25; i <= firstI + 37; ++i)
     {
       EXPECT_EQ(piece.InScattering[piece.IndexOf(i, j)], image.InScattering[image.IndexOf(i, j)]);
       EXPECT_EQ(piece.RelativeError[piece.IndexOf(i, j)], image.RelativeError[image.IndexOf(i, j)]);
@@ -81,3 +89,6 @@ TEST(NeighbourClaims, PiecesHaveTheBytesOfTheWhole)
     }
   }
 }
+
+// With one, two and three levels of looks.
+INSTANTIATE_TEST_SUITE_P(Sizes, NeighbourPieces, testing::Values(96, Size, 1024));

@@ -63,6 +63,11 @@ public:
    * error turns out one and a half times as large as wanted.
    */
   void Estimate(int most);
+  /// No samples: the unshadowed light in the intervals alone, per group. @return nullptr where there is none.
+  const std::vector<double>* FindInside(const LitSums& lit, const std::vector<RayInterval>& intervals)
+  {
+    return this->Begin(lit, intervals) ? &this->Intervals.Inside() : nullptr;
+  }
   /// The same from this many samples.
   void EstimateFrom(int count, const LitSums& lit, const std::vector<RayInterval>& intervals, std::uint64_t seed);
 

@@ -18,11 +18,9 @@ constexpr int blockSide = LitMinusBlocked::BlockSide;
 constexpr int darkSamples = 64;
 constexpr int blockSamples = 16;
 constexpr int blockLines = 2;
-/// Samples of a pixel that asks its neighbours: first so many, then as many as make the noise this many times what a pixel
-/// may err by, unless that takes more than the most.
-constexpr int fewestOfLook = 8;
-constexpr double noiseOfLook = 6.0;
-constexpr int mostOfLook = 256;
+/// Pixels that ask their neighbours take as many samples as make the noise this many times what a pixel may err by, unless
+/// that takes more than the most.
+constexpr double noiseOfLook = 2.0;
 /// The random numbers of a look are no other samples'.
 constexpr std::uint64_t numberOfLook = 0x4C6F6F6B;
 /// In smaller images neighbours are not alike, and for a larger goal a pixel's own samples are few.
@@ -78,58 +76,137 @@ bool LitMinusBlocked::LooksAround(const LitMinusBlockedScene& shared)
 void LitMinusBlocked::AskNeighbours(const LookedPixels& looked)
 {
   this->Looked = &looked;
-  this->Neighbours =
-    std::make_unique<SmoothShadow>(looked, this->Groups, this->Options.RelativeErrorGoal, this->Shared.Darkest);
+  this->Neighbours.resize(static_cast<std::size_t>(looked.Levels()));
+  SmoothShadow* coarser = nullptr;
+  for (int level = looked.Levels() - 1; level >= 0; --level)
+  {
+    std::unique_ptr<SmoothShadow>& own = this->Neighbours[static_cast<std::size_t>(level)];
+    own = std::make_unique<SmoothShadow>(
+      looked, level, coarser, SmoothShadow::Wanted{ this->Options.RelativeErrorGoal, this->Shared.Darkest });
+    coarser = own.get();
+  }
 }
 
-void LitMinusBlocked::LookAtTile(const TileRange& tile, LookedPixels& looked)
+void LitMinusBlocked::LookAtTile(const TileRange& tile, int level, LookedPixels& looked)
 {
   this->Tile.MoveTo(tile.I0 / LitTile::Side * LitTile::Side, tile.J0 / LitTile::Side * LitTile::Side);
-  for (const TileRange& block : TilesOf({ tile.I0, tile.I1, tile.J0, tile.J1 }, blockSide))
+  if (level + 1 == looked.Levels())
   {
-    this->BeginBlock(block);
-    this->LookAtBlock(block, fewestOfLook, looked);
-    const int samples = this->SamplesOfBlock(block, looked);
-    if (samples > fewestOfLook)
+    this->PrepareTile(tile, looked);
+  }
+  const int fewest = lookLevels[level].Fewest;
+  std::vector<TileRange> blocks = TilesOf({ tile.I0, tile.I1, tile.J0, tile.J1 }, lookLevels[level].Side);
+  // All are judged before any is looked at: coarser blocks read the pixels of several.
+  blocks.erase(std::remove_if(blocks.begin(), blocks.end(),
+                 [this, level](const TileRange& block) { return this->IsKnown(block, level); }),
+    blocks.end());
+  for (const TileRange& block : blocks)
+  {
+    this->LookAtBlock(block, level, fewest, looked);
+    const int samples = this->SamplesOfBlock(block, level, looked);
+    if (samples > fewest)
     {
-      this->LookAtBlock(block, samples, looked);
+      this->LookAtBlock(block, level, samples, looked);
     }
   }
 }
 
-void LitMinusBlocked::LookAtBlock(const TileRange& block, int samples, LookedPixels& looked)
+/// The unshadowed light of all pixels.
+void LitMinusBlocked::PrepareTile(const TileRange& tile, LookedPixels& looked)
 {
+  for (const TileRange& block : TilesOf({ tile.I0, tile.I1, tile.J0, tile.J1 }, blockSide))
+  {
+    this->BeginBlock(block);
+    for (int j = block.J0; j <= block.J1; ++j)
+    {
+      for (int i = block.I0; i <= block.I1; ++i)
+      {
+        this->LookAtPixel(i, j, 0, looked);
+      }
+    }
+  }
+}
+
+/// Do coarser levels tell all pixels of a block?
+bool LitMinusBlocked::IsKnown(const TileRange& block, int level)
+{
+  const auto coarser = static_cast<std::size_t>(level + 1);
+  if (coarser >= this->Neighbours.size())
+  {
+    return false;
+  }
+  SmoothShadow& neighbours = *this->Neighbours[coarser];
+  neighbours.MoveTo(block.I0, block.J0);
   for (int j = block.J0; j <= block.J1; ++j)
   {
     for (int i = block.I0; i <= block.I1; ++i)
     {
-      this->LookAtPixel(i, j, samples, looked);
+      if (this->Looked->At(i, j).Kind >= 0 && !neighbours.Of(i, j))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Those of its pixels that belong to this level alone.
+void LitMinusBlocked::LookAtBlock(const TileRange& block, int level, int samples, LookedPixels& looked)
+{
+  const bool coarsest = level + 1 == looked.Levels();
+  for (const TileRange& part : TilesOf({ block.I0, block.I1, block.J0, block.J1 }, blockSide))
+  {
+    this->BeginBlock(part);
+    for (int j = part.J0; j <= part.J1; ++j)
+    {
+      for (int i = part.I0; i <= part.I1; ++i)
+      {
+        if (looked.At(i, j).Kind >= 0 && lookLevels[level].Has(i, j) && (coarsest || !lookLevels[level + 1].Has(i, j)))
+        {
+          this->LookAtPixel(i, j, samples, looked);
+        }
+      }
     }
   }
 }
 
 /// As many samples as a block's pixels are to take whose shadows differ; 0: no more than they have. The samples that decide
 /// are no part of what is taken then.
-int LitMinusBlocked::SamplesOfBlock(const TileRange& block, const LookedPixels& looked) const
+int LitMinusBlocked::SamplesOfBlock(const TileRange& block, int level, const LookedPixels& looked) const
 {
+  const LookLevel& look = lookLevels[level];
   // Mixed differences of neighbours see neither a level nor a slope.
   double squares = 0.0;
   double shown = 0.0;
   double whole = 0.0;
   int count = 0;
-  for (int j = block.J0; j < block.J1; ++j)
+  const auto isInside = [&block](int i, int j)
+  { return i >= block.I0 && i <= block.I1 && j >= block.J0 && j <= block.J1; };
+  for (int j = block.J0; j <= block.J1; ++j)
   {
-    for (int i = block.I0; i < block.I1; ++i)
+    for (int i = block.I0; i <= block.I1; ++i)
     {
-      const LookedPixel* four[4] = { &looked.At(i, j), &looked.At(i + 1, j), &looked.At(i, j + 1),
-        &looked.At(i + 1, j + 1) };
-      if (std::all_of(four, four + 4,
-            [&](const LookedPixel* pixel) { return pixel->Kind >= 0 && pixel->Kind == four[0]->Kind; }))
+      double mixed = 0.0;
+      double noise = 0.0; // where a pixel of a first look has 1
+      bool alike = look.Has(i, j);
+      for (int k = 0; k < 4 && alike; ++k)
       {
-        const double mixed = static_cast<double>(four[0]->Shown - four[1]->Shown - four[2]->Shown + four[3]->Shown);
-        squares += 0.25 * mixed * mixed;
-        shown += static_cast<double>(four[0]->Shown * four[0]->Whole);
-        whole += static_cast<double>(four[0]->Whole);
+        const int a = i + (k & 1) * look.Along[0] + (k >> 1) * look.Across[0];
+        const int b = j + (k & 1) * look.Along[1] + (k >> 1) * look.Across[1];
+        alike = isInside(a, b) && looked.At(a, b).Kind >= 0 && looked.At(a, b).Kind == looked.At(i, j).Kind &&
+          looked.At(a, b).Samples > 0;
+        if (alike)
+        {
+          const auto value = static_cast<double>(looked.At(a, b).Shown);
+          mixed += k == 0 || k == 3 ? value : -value;
+          noise += std::pow(static_cast<double>(look.Fewest) / looked.At(a, b).Samples, 1.5);
+        }
+      }
+      if (alike)
+      {
+        squares += mixed * mixed / noise;
+        shown += static_cast<double>(looked.At(i, j).Shown * looked.At(i, j).Whole);
+        whole += static_cast<double>(looked.At(i, j).Whole);
         count += 1;
       }
     }
@@ -140,10 +217,11 @@ int LitMinusBlocked::SamplesOfBlock(const TileRange& block, const LookedPixels& 
   }
   const double least = std::max(shown, count * this->Shared.Darkest) / whole;
   const double noise = std::sqrt(squares / count) / (noiseOfLook * this->Options.RelativeErrorGoal * least);
-  const double samples = fewestOfLook * std::pow(noise, 4.0 / 3.0);
-  return samples > mostOfLook ? 0 : static_cast<int>(std::min<double>(std::ceil(samples), this->Options.MaximumSamples));
+  const double samples = look.Fewest * std::pow(noise, 4.0 / 3.0);
+  return samples > look.Most ? 0 : static_cast<int>(std::min<double>(std::ceil(samples), this->Options.MaximumSamples));
 }
 
+/// @param samples 0: the unshadowed light alone.
 void LitMinusBlocked::LookAtPixel(int i, int j, int samples, LookedPixels& looked)
 {
   LookedPixel& pixel = looked.At(i, j);
@@ -165,22 +243,32 @@ void LitMinusBlocked::LookAtPixel(int i, int j, int samples, LookedPixels& looke
     this->Sums.Accumulate();
   }
   const bool surface = this->Rays.front().Hit.HasSurface() && interval.End >= this->Rays.front().Hit.T;
-  const std::uint64_t seed = HashSeed(this->Options.Seed, PixelIndex(this->Options, i, j));
-  this->Blocked.EstimateFrom(std::min(samples, this->Options.MaximumSamples), this->Sums, this->Intervals,
-    HashSeed(seed, numberOfLook + static_cast<std::uint64_t>(samples)));
-  this->OcclusionRays += this->Blocked.NumberOfOcclusionRays();
   pixel.Kind = 2 * this->Pixel.Interval.Faces + (surface ? 1 : 0);
-  pixel.Samples = this->Blocked.NumberOfSamples();
-  pixel.Visible = !this->Blocked.SeesShadow() ? pixel.Samples : this->Blocked.SeesLight() ? -1 : 0;
-  pixel.Shown = static_cast<float>(this->Blocked.MeanLeft() / this->Sums.Mean());
-  pixel.Inside = static_cast<float>(this->Blocked.MeanInside());
   pixel.Whole = static_cast<float>(this->Sums.Mean());
   pixel.LitError = static_cast<float>(this->LitError());
+  const std::vector<double>* inside = nullptr;
+  if (samples == 0)
+  {
+    inside = this->Blocked.FindInside(this->Sums, this->Intervals);
+  }
+  else
+  {
+    const std::uint64_t seed = HashSeed(this->Options.Seed, PixelIndex(this->Options, i, j));
+    this->Blocked.EstimateFrom(std::min(samples, this->Options.MaximumSamples), this->Sums, this->Intervals,
+      HashSeed(seed, numberOfLook + static_cast<std::uint64_t>(samples)));
+    this->OcclusionRays += this->Blocked.NumberOfOcclusionRays();
+    pixel.Samples = this->Blocked.NumberOfSamples();
+    pixel.Visible = !this->Blocked.SeesShadow() ? pixel.Samples : this->Blocked.SeesLight() ? -1 : 0;
+    pixel.Shown = static_cast<float>(this->Blocked.MeanLeft() / this->Sums.Mean());
+    pixel.Inside = static_cast<float>(this->Blocked.MeanInside());
+  }
   for (std::size_t g = 0; g < this->Left.size(); ++g)
   {
     const double whole = this->Sums.Groups()[g];
+    const double hidden = samples == 0 ? (inside ? (*inside)[g] : 0.0) : whole - this->Blocked.Left()[g];
     looked.LightOf(i, j)[g] = static_cast<float>(whole);
-    looked.HiddenOf(i, j)[g] = whole > 0.0 ? static_cast<float>(1.0 - this->Blocked.Left()[g] / whole) : 0.0f;
+    looked.HiddenOf(i, j)[g] = whole > 0.0 ? static_cast<float>(hidden / whole) : 0.0f;
+    pixel.Inside += samples == 0 ? static_cast<float>(this->Groups.MeanScatteredRadiance[g] * hidden) : 0.0f;
   }
 }
 
@@ -231,9 +319,9 @@ void LitMinusBlocked::BeginBlock(const TileRange& block)
 void LitMinusBlocked::RenderBlock(const TileRange& block)
 {
   this->BeginBlock(block);
-  if (this->Neighbours)
+  if (!this->Neighbours.empty())
   {
-    this->Neighbours->MoveTo(this->BlockI, this->BlockJ);
+    this->Neighbours.front()->MoveTo(this->BlockI, this->BlockJ);
   }
   for (int j = block.J0; j <= block.J1; ++j)
   {
@@ -247,12 +335,12 @@ void LitMinusBlocked::RenderBlock(const TileRange& block)
 void LitMinusBlocked::RenderPixel(int i, int j)
 {
   const auto groups = static_cast<std::size_t>(this->Groups.Count());
-  int samples = this->Looked ? this->Looked->At(i, j).Samples : 0;
-  if (this->Neighbours && this->Neighbours->Of(i, j).Known)
+  int samples = this->Looked ? std::max(this->Looked->At(i, j).Samples, 0) : 0;
+  const SmoothShadow::Answer* answer = this->Neighbours.empty() ? nullptr : this->Neighbours.front()->Of(i, j);
+  if (answer)
   {
-    const double* left = this->Neighbours->LeftOf(i, j);
-    this->LeftOfPixel.assign(left, left + groups);
-    this->WritePixel(i, j, this->Neighbours->Of(i, j).Variance, samples);
+    this->LeftOfPixel.assign(answer->Left, answer->Left + groups);
+    this->WritePixel(i, j, answer->Variance, samples);
     return;
   }
   const std::uint64_t seed = HashSeed(this->Options.Seed, PixelIndex(this->Options, i, j));

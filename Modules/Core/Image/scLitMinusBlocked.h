@@ -47,10 +47,13 @@ public:
   static bool MayLookAround(const ScatteringOptions& options);
   /// Does this scene ask pixels' neighbours?
   static bool LooksAround(const LitMinusBlockedScene& shared);
-  /// Look at the pixels of a tile, each with few samples. The tile lies in one of LitTile's squares.
-  void LookAtTile(const TileRange& tile, LookedPixels& looked);
-  /// From now on pixels ask their neighbours, all of which were looked at; these must outlive this.
+  /// Pixels ask their neighbours, which are looked at before; these must outlive this.
   void AskNeighbours(const LookedPixels& looked);
+  /**
+   * Look at pixels of a tile, each with few samples: at those of a level where what was seen at coarser ones does not tell.
+   * The tile lies in one of LitTile's squares and holds whole blocks of all levels, as far as these were asked for.
+   */
+  void LookAtTile(const TileRange& tile, int level, LookedPixels& looked);
   /// Pixels of a tile that lies in one of LitTile's squares.
   void RenderTile(const TileRange& tile);
   vtkIdType NumberOfOcclusionRays() const { return this->OcclusionRays; }
@@ -61,9 +64,11 @@ private:
   void RenderBlock(const TileRange& block);
   void RenderPixel(int i, int j);
   void WritePixel(int i, int j, double variance, int samples);
-  void LookAtBlock(const TileRange& block, int samples, LookedPixels& looked);
+  void PrepareTile(const TileRange& tile, LookedPixels& looked);
+  bool IsKnown(const TileRange& block, int level);
+  void LookAtBlock(const TileRange& block, int level, int samples, LookedPixels& looked);
   void LookAtPixel(int i, int j, int samples, LookedPixels& looked);
-  int SamplesOfBlock(const TileRange& block, const LookedPixels& looked) const;
+  int SamplesOfBlock(const TileRange& block, int level, const LookedPixels& looked) const;
   double LitError() const;
   bool BeginRay(const PrimaryHit& hit, MediumInterval& interval);
   bool EstimateRay(const PrimaryHit& hit, std::uint64_t seed);
@@ -90,7 +95,7 @@ private:
   LitSums OtherSums;
   BlockedLight OtherBlocked;
   std::unique_ptr<LinesOfLight> OtherLines;
-  std::unique_ptr<SmoothShadow> Neighbours; ///< nullptr: nobody is asked
+  std::vector<std::unique_ptr<SmoothShadow>> Neighbours; ///< of levels, the finest first; none: nobody is asked
   const LookedPixels* Looked = nullptr;
   std::unique_ptr<ConeBeam> Beam;
   std::vector<RayInterval> Intervals; ///< of the ray at hand where occluders may block

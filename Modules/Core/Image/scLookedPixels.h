@@ -15,13 +15,37 @@
 namespace shadowcones
 {
 
+/// How closely pixels are looked at. Each level looks at every fifth pixel of the one below, in a turned square lattice: each
+/// row, column and diagonal has as many of them. Blocks and windows grow so that a fit has about as many pixels at any level.
+struct LookLevel
+{
+  int Side;       ///< blocks of so many pixels by so many, aligned to pixel (0, 0), are judged at once
+  int Period;     ///< of so many pixels one is looked at
+  int Turn;       ///< those for which the period divides i + Turn j
+  int Along[2];   ///< from one of them to the next
+  int Across[2];
+  int Reach;      ///< where all samples of so many pixels around one say the same, nothing is fitted
+  int Margins[2]; ///< windows of fits reach so far beyond the block
+  int Fewest;     ///< samples of a first look: as many along a line through a block at any level
+  int Most;       ///< samples of a second one
+
+  bool Has(int i, int j) const { return (i + this->Turn * j) % this->Period == 0; }
+};
+
+/// The finest first.
+constexpr LookLevel lookLevels[] = {
+  { 8, 1, 0, { 1, 0 }, { 0, 1 }, 2, { 2, 4 }, 8, 256 },
+  { 16, 5, 2, { 1, 2 }, { 2, -1 }, 5, { 4, 8 }, 20, 512 },
+  { 32, 25, 7, { 4, 3 }, { 3, -4 }, 11, { 8, 16 }, 50, 512 },
+};
+
 /// One pixel that was looked at.
 struct LookedPixel
 {
   /// Which pixels change smoothly from one to the next: those that pass the same faces of the medium, and end at a
   /// surface or not. Below 0: this one is nobody's neighbour.
   int Kind = -1;
-  int Samples = 0;
+  int Samples = -1;      ///< -1: it was not asked, the unshadowed light is all that is known
   int Visible = 0;       ///< of the samples; -1: some
   float Shown = 0.0f;    ///< share of the light that is left, mean over wavelengths
   float Inside = 0.0f;   ///< unshadowed light where cones allow for shadow, mean over wavelengths
@@ -33,25 +57,30 @@ struct LookedPixel
 class LookedPixels
 {
 public:
-  /// Blocks of so many pixels by so many, aligned to pixel (0, 0), are judged at once.
-  static constexpr int BlockSide = 8;
-  /// By so many pixels more on each side: whole blocks.
-  static constexpr int Margin = 16;
-
-  /// The pixels that those of an extent ask for.
-  static std::array<int, 4> ExtentFor(const std::array<int, 4>& extent, int width, int height)
+  /// Of an image of this size: where pixels are many, neighbours are alike further around.
+  static int NumberOfLevels(int width, int height)
   {
-    const auto low = [](int at) { return std::max(at / BlockSide * BlockSide - Margin, 0); };
-    const auto high = [](int at, int size)
+    const int least = std::min(width, height);
+    return least < SmallestOfLevels[0] ? 1 : least < SmallestOfLevels[1] ? 2 : 3;
+  }
+  /// The pixels that those of an extent ask for at a level: whole blocks, and one more on each side for their windows.
+  static std::array<int, 4> ExtentFor(int level, const std::array<int, 4>& extent, int width, int height)
+  {
+    const int side = lookLevels[level].Side;
+    const std::array<int, 4> inner = level > 0 ? ExtentFor(level - 1, extent, width, height) : extent;
+    const auto low = [side](int at) { return std::max(at / side * side - side, 0); };
+    const auto high = [side](int at, int size)
     {
-      const int rest = size - 1 - at / BlockSide * BlockSide; // nothing passes the largest integer
-      return rest < BlockSide + Margin ? size - 1 : size - 1 - rest + BlockSide - 1 + Margin;
+      const int rest = size - 1 - at / side * side; // nothing passes the largest integer
+      return rest < 2 * side ? size - 1 : size - 1 - rest + 2 * side - 1;
     };
-    return { low(extent[0]), high(extent[1], width), low(extent[2]), high(extent[3], height) };
+    return { low(inner[0]), high(inner[1], width), low(inner[2]), high(inner[3], height) };
   }
 
-  LookedPixels(const std::array<int, 4>& extent, int groups)
+  /// @param extent of the coarsest of @p levels.
+  LookedPixels(const std::array<int, 4>& extent, int levels, int groups)
     : Extent(extent)
+    , LevelCount(levels)
     , Groups(static_cast<std::size_t>(groups))
   {
     const auto columns = static_cast<std::size_t>(extent[1] - extent[0] + 1);
@@ -61,7 +90,8 @@ public:
     this->Light.Resize(columns * rows * this->Groups);
   }
 
-  const std::array<int, 4>& GetExtent() const { return this->Extent; }
+  int Levels() const { return this->LevelCount; }
+  std::size_t NumberOfGroups() const { return this->Groups; }
   bool Holds(int i, int j) const
   {
     return i >= this->Extent[0] && i <= this->Extent[1] && j >= this->Extent[2] && j <= this->Extent[3];
@@ -82,7 +112,10 @@ private:
     return static_cast<std::size_t>(j - this->Extent[2]) * columns + static_cast<std::size_t>(i - this->Extent[0]);
   }
 
+  static constexpr int SmallestOfLevels[] = { 128, 1024 };
+
   std::array<int, 4> Extent;
+  int LevelCount;
   std::size_t Groups;
   PixelArray<LookedPixel> Pixels;
   PixelArray<float> Hidden;

@@ -45,7 +45,10 @@ public:
 
   /// @name Neighbours: see LitMinusBlocked
   ///@{
-  void LookAtTile(const TileRange& tile, LookedPixels& looked) { this->Difference->LookAtTile(tile, looked); }
+  void LookAtTile(const TileRange& tile, int level, LookedPixels& looked)
+  {
+    this->Difference->LookAtTile(tile, level, looked);
+  }
   void AskNeighbours(const LookedPixels& looked) { this->Difference->AskNeighbours(looked); }
   ///@}
 

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace shadowcones
@@ -43,6 +44,12 @@ public:
   template <typename Body>
   bool ForTiles(const std::array<int, 4>& extent, const Monitor& monitor, Body&& body)
   {
+    return this->ForTiles(extent, MediumTerm::BlockSide(this->Context.Options.Mode), monitor, std::forward<Body>(body));
+  }
+  /// The same for tiles of another side, which divides that of squares.
+  template <typename Body>
+  bool ForTiles(const std::array<int, 4>& extent, int side, const Monitor& monitor, Body&& body)
+  {
     // A square's blocks go together: they share its unshadowed light.
     const ScatteringMode mode = this->Context.Options.Mode;
     std::vector<TileRange> blocks;
@@ -50,8 +57,7 @@ public:
     for (const TileRange& square : TilesOf(extent, MediumTerm::SquareSide(mode)))
     {
       squares.push_back(static_cast<vtkIdType>(blocks.size()));
-      const std::vector<TileRange> inside =
-        TilesOf({ square.I0, square.I1, square.J0, square.J1 }, MediumTerm::BlockSide(mode));
+      const std::vector<TileRange> inside = TilesOf({ square.I0, square.I1, square.J0, square.J1 }, side);
       blocks.insert(blocks.end(), inside.begin(), inside.end());
     }
     squares.push_back(static_cast<vtkIdType>(blocks.size()));

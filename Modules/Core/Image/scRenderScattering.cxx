@@ -93,7 +93,10 @@ bool Allocate(
 /// The pixels that are looked at for those of an extent.
 std::array<int, 4> LookedExtent(const std::array<int, 4>& extent, const ScatteringOptions& options)
 {
-  return LitMinusBlocked::MayLookAround(options) ? LookedPixels::ExtentFor(extent, options.Width, options.Height) : extent;
+  return LitMinusBlocked::MayLookAround(options)
+    ? LookedPixels::ExtentFor(
+        LookedPixels::NumberOfLevels(options.Width, options.Height) - 1, extent, options.Width, options.Height)
+    : extent;
 }
 
 /// One a light; none where the camera is not to see them.
@@ -179,6 +182,8 @@ private:
     MediumTerm::Shared Shared() const { return { this->Lit.get(), this->Legs.get() }; }
   };
   std::unique_ptr<Prepared> Prepare(std::size_t light, const Monitor& monitor) const;
+  bool LookAround(
+    MediumTerms& terms, const std::array<int, 4>& extent, const Monitor& monitor, LookedPixels& looked) const;
   bool RenderMedium(std::size_t light, const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
   bool RenderMedia(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
   bool Shade(const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const;
@@ -213,6 +218,24 @@ std::unique_ptr<ImageRenderer::Prepared> ImageRenderer::Prepare(std::size_t ligh
   return prepared;
 }
 
+/// First at few pixels, then at more of them where these do not tell what lies between. @return false where aborted.
+bool ImageRenderer::LookAround(
+  MediumTerms& terms, const std::array<int, 4>& extent, const Monitor& monitor, LookedPixels& looked) const
+{
+  for (int level = looked.Levels() - 1; level >= 0; --level)
+  {
+    const double done = 1.0 - (level + 1.0) / looked.Levels();
+    // Who judges a coarse block reads all of its pixels: no other writes them meanwhile.
+    if (!terms.ForTiles(LookedPixels::ExtentFor(level, extent, this->Options.Width, this->Options.Height),
+          lookLevels[looked.Levels() - 1].Side, monitor.Part(done, done + 1.0 / looked.Levels()),
+          [&looked, level](MediumTerm& term, const TileRange& tile) { term.LookAtTile(tile, level, looked); }))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// The medium term of one light: "InScattering", "RelativeError", "SampleCount" of an image of the right size.
 bool ImageRenderer::RenderMedium(
   std::size_t light, const PrimaryHits& hits, const Monitor& monitor, ScatteringImage& image) const
@@ -231,13 +254,13 @@ bool ImageRenderer::RenderMedium(
   std::unique_ptr<LookedPixels> looked;
   if (shared.Lit && LitMinusBlocked::LooksAround(*shared.Lit))
   {
-    looked = std::make_unique<LookedPixels>(LookedExtent(image.Extent, this->Options), context.Groups.Count());
-    if (!terms.ForTiles(looked->GetExtent(), rest.Part(0.0, shareOfLook),
-          [&looked](MediumTerm& term, const TileRange& tile) { term.LookAtTile(tile, *looked); }))
+    looked = std::make_unique<LookedPixels>(LookedExtent(image.Extent, this->Options),
+      LookedPixels::NumberOfLevels(this->Options.Width, this->Options.Height), context.Groups.Count());
+    terms.AskNeighbours(*looked);
+    if (!LookAround(terms, image.Extent, rest.Part(0.0, shareOfLook), *looked))
     {
       return false;
     }
-    terms.AskNeighbours(*looked);
     rest = rest.Part(shareOfLook, 1.0);
   }
   const bool finished =
