@@ -172,6 +172,14 @@ LIGHTS = {"knot": small_sphere, "shards": sun}  # of the others the disc of the 
 BUNNY = "/usr/share/glmark2/models/bunny.obj"
 
 
+def parts_of(options):
+    """Squares of an image, spread evenly over it: the extents that are judged. An extent has the bytes of the whole image."""
+    most = options.size - options.part
+    for k in range(options.parts if options.part else 0):
+        first = [int((0.5 + step * (k + 1)) % 1.0 * most) for step in (0.7548776662466927, 0.5698402909980532)]
+        yield (first[0], first[0] + options.part - 1, first[1], first[1] + options.part - 1, 0, 0)
+
+
 def image_of(mesh, light, options, seed, goal, samples):
     """Values, relative errors that are claimed, samples a pixel, and seconds of the processor."""
     camera = vtkCamera()
@@ -189,13 +197,16 @@ def image_of(mesh, light, options, seed, goal, samples):
     image.SetNumberOfSurfaceLightSamples(0)
     image.LightVisibleOff()
     image.SetSeed(seed)
+    image.AutoExposureOff()
     start = time.process_time()
-    image.Update()
-    seconds = time.process_time() - start
-    points = image.GetOutput().GetPointData()
-    arrays = [vtk_to_numpy(points.GetArray(name)).astype(float) for name in ("InScattering", "RelativeError", "SampleCount")]
-    arrays[0] = arrays[0].reshape(len(arrays[1]), -1).mean(axis=1)
-    return (*arrays, seconds)
+    found = []
+    for extent in parts_of(options) if options.part else [None]:
+        image.UpdateExtent(extent) if extent else image.Update()
+        points = image.GetOutput().GetPointData()
+        arrays = [vtk_to_numpy(points.GetArray(name)).astype(float) for name in ("InScattering", "RelativeError", "SampleCount")]
+        arrays[0] = arrays[0].reshape(len(arrays[1]), -1).mean(axis=1)
+        found.append(arrays)
+    return (*(np.concatenate(each) for each in zip(*found)), time.process_time() - start)
 
 
 def receivers(mesh):
@@ -220,6 +231,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--scene", nargs="+", choices=SCENES, default=list(THIN), help="(default: those as thin as a pixel)")
     parser.add_argument("--size", type=int, default=96, help="of the image in pixels (default: 96)")
+    parser.add_argument("--part", type=int, default=0, help="judge squares of so many pixels a side alone (default: the image)")
+    parser.add_argument("--parts", type=int, default=8, help="so many of them (default: 8)")
     parser.add_argument("--goal", type=float, nargs="+", default=[0.01], help="RelativeErrorGoal (default: 0.01)")
     options = parser.parse_args()
     print("                                         error/claim of all              in shadow")
