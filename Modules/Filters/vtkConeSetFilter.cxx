@@ -269,7 +269,7 @@ bool vtkConeSetFilter::Fit(const ConeSetInputs& inputs, bool prove, Team* team, 
     outcome.Tuned = outcome.Tuning.Lacking.empty();
   }
   if (!FitConeSet(inputs.Vectors.View(), inputs.Paths.View(), inputs.Extents, outcome.Options,
-        monitor.Part(tuned, fitted), outcome.Set))
+        monitor.Part(tuned, fitted), outcome.Set, team))
   {
     return false;
   }

@@ -25,7 +25,7 @@ public:
 
   /// Count from 0 again.
   static void Reset();
-  /// Photons, points and sets of parameters that this process did of what is shared.
+  /// Photons, points, seeds of cones and sets of parameters that this process did of what is shared.
   static vtkIdType GetNumberOfItems();
   /// Rays that this process sent for grids and images.
   static vtkIdType GetNumberOfRays();

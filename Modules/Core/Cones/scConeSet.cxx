@@ -6,9 +6,9 @@
 #include "scConeTree.h"
 #include "scLeftoverCones.h"
 #include "scNearestVectors.h"
+#include "scSeedCovering.h"
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -50,199 +50,35 @@ int MajorityOccluder(const ShadowVectorView& vectors, const std::vector<vtkIdTyp
   return best;
 }
 
-/// A seed's cone, and what it was made from.
-struct Candidate
+/// The candidate of a seed among its nearest living neighbours.
+void MakeCandidate(const ShadowVectorView& vectors, const LightExtent& light, const ConeSetOptions& options,
+  const NearestVectors& tree, vtkIdType seed, ConeCandidate& candidate)
 {
-  std::vector<vtkIdType> Neighbors; ///< K, nearest first
-  BasePartition Base;
-  shadowcones::Cone Cone; ///< where the base holds enough vectors
-};
-
-/// The greedy covering of section 3.2.1: seeds in index order, each covering the vectors inside its base.
-class ConeFitter
-{
-public:
-  ConeFitter(const ShadowVectorView& vectors, const LightExtent& light, const ConeSetOptions& options, ConeSet& result)
-    : Vectors(vectors)
-    , Light(light)
-    , Options(options)
-    , Neighbors(vectors.Points, vectors.Count)
-    , Covered(static_cast<std::size_t>(vectors.Count), 0)
-    , Result(result)
+  thread_local BasePartition base;
+  thread_local std::vector<vtkIdType> neighbors;
+  tree.Query(seed, options.NumberOfNeighbors, neighbors);
+  PartitionBase(vectors, neighbors, options, base);
+  candidate.Neighbors.clear();
+  candidate.Members.clear();
+  if (!options.Overlap)
   {
+    candidate.Neighbors = neighbors;
   }
-
-  /**
-   * Candidates of some seeds are made side by side from the state before them, and taken when it is their turn; one whose
-   * neighbours died meanwhile is made again. The result is that of one seed after the other, for any number of threads.
-   */
-  bool Run(const Monitor& monitor)
+  if (static_cast<int>(base.Members.size()) < options.MinimumVectorsPerCone)
   {
-    const vtkIdType count = this->Vectors.Count;
-    const Monitor quiet{ nullptr, monitor.Aborted };
-    std::vector<vtkIdType> seeds;
-    std::vector<Candidate> made;
-    while (this->Next < count)
-    {
-      this->Neighbors.Prune();
-      this->ChooseSeeds(seeds);
-      made.resize(seeds.size());
-      const auto body = [&](vtkIdType first, vtkIdType last)
-      {
-        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
-        {
-          this->MakeCandidate(seeds[i], made[i]);
-        }
-      };
-      if (!ParallelFor(static_cast<vtkIdType>(seeds.size()), quiet, body))
-      {
-        return false;
-      }
-      for (std::size_t i = 0; i < seeds.size(); ++i)
-      {
-        this->Waiting.emplace(seeds[i], std::move(made[i]));
-      }
-      this->TakeInTurn();
-      if (monitor.Progress)
-      {
-        monitor.Progress(static_cast<double>(this->Next) / static_cast<double>(count));
-      }
-    }
-    this->Result.NumberOfDiscarded = std::count(this->Result.ConeIds.begin(), this->Result.ConeIds.end(), -1);
-    return true;
+    return;
   }
-
-private:
-  Vector3 PointOf(vtkIdType id) const
-  {
-    return { this->Vectors.Points[3 * id], this->Vectors.Points[3 * id + 1], this->Vectors.Points[3 * id + 2] };
-  }
-
-  /**
-   * The next seed, and some of those that follow: but for those that lie so near to one before them that its base will
-   * hold them. Where it does not, they come later, before any that follows them is taken.
-   */
-  void ChooseSeeds(std::vector<vtkIdType>& seeds) const
-  {
-    const vtkIdType count = this->Vectors.Count;
-    const vtkIdType most = std::clamp<vtkIdType>(count / (vtkIdType(4) * this->Options.NumberOfNeighbors), 32, 256);
-    constexpr vtkIdType looksOfSeed = 4;
-    constexpr vtkIdType few = 128; // of more, from many vectors, hardly any two are near
-    const double near = this->SumOfRadii / static_cast<double>(std::max<std::size_t>(1, this->Result.Cones.size()));
-    std::vector<Vector3> before;
-    const auto isNear = [&](const Vector3& point)
-    {
-      return most <= few &&
-        std::any_of(before.begin(), before.end(), [&](const Vector3& other)
-          { return Dot(point - other, point - other) < near * near; });
-    };
-    seeds.clear();
-    vtkIdType looks = 0;
-    for (vtkIdType id = this->Next;
-         id < count && static_cast<vtkIdType>(seeds.size()) < most && looks < looksOfSeed * most; ++id)
-    {
-      if (this->Covered[id])
-      {
-        continue;
-      }
-      looks += 1;
-      const Vector3 point = this->PointOf(id);
-      if (this->Waiting.count(id) > 0)
-      {
-        before.push_back(point);
-      }
-      else if (!isNear(point))
-      {
-        before.push_back(point);
-        seeds.push_back(id);
-      }
-    }
-  }
-
-  void MakeCandidate(vtkIdType seed, Candidate& candidate) const
-  {
-    this->Neighbors.Query(seed, this->Options.NumberOfNeighbors, candidate.Neighbors);
-    PartitionBase(this->Vectors, candidate.Neighbors, this->Options, candidate.Base);
-    const std::vector<vtkIdType>& members = candidate.Base.Members;
-    if (!this->IsEnough(members))
-    {
-      return;
-    }
-    Cone& cone = candidate.Cone;
-    cone = {};
-    cone.Center = candidate.Base.Center;
-    cone.Normal = candidate.Base.Normal;
-    cone.VectorCount = static_cast<int>(members.size());
-    cone.OccluderId = MajorityOccluder(this->Vectors, members);
-    ExpandCone(this->Vectors, members, this->Light, this->Options, candidate.Base.Radius, cone);
-    cone.Planarity = cone.BaseRadius > 0.0 ? candidate.Base.RmsHeight / cone.BaseRadius : 0.0;
-  }
-  bool IsEnough(const std::vector<vtkIdType>& members) const
-  {
-    return static_cast<int>(members.size()) >= this->Options.MinimumVectorsPerCone;
-  }
-
-  /// Take what waits, up to the first seed whose candidate is not there.
-  void TakeInTurn()
-  {
-    for (; this->Next < this->Vectors.Count; ++this->Next)
-    {
-      const auto waiting = this->Waiting.find(this->Next);
-      if (!this->Covered[this->Next])
-      {
-        if (waiting == this->Waiting.end())
-        {
-          return;
-        }
-        this->Take(this->Next, waiting->second);
-      }
-      if (waiting != this->Waiting.end())
-      {
-        this->Waiting.erase(waiting);
-      }
-    }
-  }
-
-  void Take(vtkIdType seed, Candidate& candidate)
-  {
-    if (!this->Options.Overlap &&
-      !std::all_of(candidate.Neighbors.begin(), candidate.Neighbors.end(),
-        [this](vtkIdType id) { return this->Neighbors.IsAlive(id); }))
-    {
-      this->MakeCandidate(seed, candidate);
-    }
-    const std::vector<vtkIdType>& members = candidate.Base.Members;
-    if (!this->IsEnough(members))
-    {
-      return;
-    }
-    const auto id = static_cast<vtkIdType>(this->Result.Cones.size());
-    this->Result.Cones.push_back(candidate.Cone);
-    this->SumOfRadii += candidate.Base.Radius;
-    for (const vtkIdType member : members)
-    {
-      this->Covered[member] = 1;
-      if (this->Result.ConeIds[member] < 0)
-      {
-        this->Result.ConeIds[member] = id;
-      }
-      if (!this->Options.Overlap)
-      {
-        this->Neighbors.Kill(member);
-      }
-    }
-  }
-
-  const ShadowVectorView& Vectors;
-  const LightExtent& Light;
-  const ConeSetOptions& Options;
-  NearestVectors Neighbors;
-  std::vector<unsigned char> Covered; ///< no longer a seed
-  vtkIdType Next = 0;                 ///< seeds before it had their turn
-  std::map<vtkIdType, Candidate> Waiting; ///< of seeds whose turn comes
-  double SumOfRadii = 0.0;                ///< of all bases
-  ConeSet& Result;
-};
+  candidate.Members = base.Members;
+  candidate.Radius = base.Radius;
+  Cone& cone = candidate.Cone;
+  cone = {};
+  cone.Center = base.Center;
+  cone.Normal = base.Normal;
+  cone.VectorCount = static_cast<int>(base.Members.size());
+  cone.OccluderId = MajorityOccluder(vectors, base.Members);
+  ExpandCone(vectors, base.Members, light, options, base.Radius, cone);
+  cone.Planarity = cone.BaseRadius > 0.0 ? base.RmsHeight / cone.BaseRadius : 0.0;
+}
 
 /// A photon path through a base disc.
 struct Crossing
@@ -331,6 +167,42 @@ double LitFraction(const std::vector<Crossing>& crossings)
   const auto lit =
     std::count_if(crossings.begin(), crossings.end(), [](const Crossing& crossing) { return crossing.Lit; });
   return crossings.empty() ? 0.0 : static_cast<double>(lit) / static_cast<double>(crossings.size());
+}
+
+/// Trim the bases, and note which share of the paths through each is lit. Processes of a team have some cones each.
+bool MeasureBases(const PhotonPathView& paths, const LightExtent& light, const ConeSetOptions& options,
+  const Monitor& monitor, Team* workers, std::vector<Cone>& cones)
+{
+  const auto insideOut = [](const Crossing& a, const Crossing& b)
+  { return a.Distance != b.Distance ? a.Distance < b.Distance : a.Lit < b.Lit; };
+  const TeamShare share(workers, static_cast<vtkIdType>(cones.size()));
+  TeamJoin join(workers);
+  join.AddItems(cones, share);
+  const auto measureOwn = [&]
+  {
+    std::vector<Cone> own;
+    for (vtkIdType k = 0; k < share.Own(); ++k)
+    {
+      own.push_back(cones[static_cast<std::size_t>(share.Item(k))]);
+    }
+    std::vector<std::vector<Crossing>> crossings;
+    if (!CollectCrossings(paths, own, monitor, crossings))
+    {
+      return false;
+    }
+    const auto measure = [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      {
+        std::sort(crossings[k].begin(), crossings[k].end(), insideOut);
+        TrimBase(crossings[k], options.MaximumOverspill, light, options.Expansion, options.ExpansionFraction, own[k]);
+        own[k].Overspill = LitFraction(crossings[k]);
+        cones[static_cast<std::size_t>(share.Item(static_cast<vtkIdType>(k)))] = own[k];
+      }
+    };
+    return ParallelFor(share.Own(), { nullptr, monitor.Aborted }, measure);
+  };
+  return join.Run(measureOwn);
 }
 
 /// What one light has of some rays, in their order; holds what views point to.
@@ -463,7 +335,7 @@ const char* CheckConeSetOptions(const ConeSetOptions& options)
 }
 
 bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, const LightExtent& light,
-  const ConeSetOptions& options, const Monitor& monitor, ConeSet& result)
+  const ConeSetOptions& options, const Monitor& monitor, ConeSet& result, Team* workers)
 {
   result = {};
   result.ConeIds.assign(static_cast<std::size_t>(vectors.Count), -1);
@@ -471,46 +343,30 @@ bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, co
   {
     return true;
   }
-  ConeFitter fitter(vectors, light, options, result);
   const double part = paths.Count > 0 ? 0.8 : 1.0;
-  if (!fitter.Run(monitor.Part(0.0, part)))
+  NearestVectors tree(vectors.Points, vectors.Count);
+  const CandidateMaker make = [&](vtkIdType seed, ConeCandidate& candidate)
+  { MakeCandidate(vectors, light, options, tree, seed, candidate); };
+  SeedCovering covering(vectors.Points, make, options.Overlap ? nullptr : &tree, workers, result);
+  if (!covering.Run(monitor.Part(0.0, part)))
   {
     return false;
   }
-  if (options.Leftovers == ConeLeftovers::Cover)
-  {
-    CoverLeftovers(vectors, light, options, result);
-  }
-  if (paths.Count == 0)
-  {
-    return true;
-  }
-  std::vector<std::vector<Crossing>> crossings;
-  if (!CollectCrossings(paths, result.Cones, monitor.Part(part, 1.0), crossings))
+  if (options.Leftovers == ConeLeftovers::Cover &&
+    !CoverLeftovers(vectors, light, options, { nullptr, monitor.Aborted }, workers, result))
   {
     return false;
   }
-  const auto insideOut = [](const Crossing& a, const Crossing& b)
-  { return a.Distance != b.Distance ? a.Distance < b.Distance : a.Lit < b.Lit; };
-  return ParallelFor(static_cast<vtkIdType>(result.Cones.size()), { nullptr, monitor.Aborted },
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        std::sort(crossings[i].begin(), crossings[i].end(), insideOut);
-        TrimBase(
-          crossings[i], options.MaximumOverspill, light, options.Expansion, options.ExpansionFraction, result.Cones[i]);
-        result.Cones[i].Overspill = LitFraction(crossings[i]);
-      }
-    });
+  result.NumberOfDiscarded = std::count(result.ConeIds.begin(), result.ConeIds.end(), -1);
+  return paths.Count == 0 || MeasureBases(paths, light, options, monitor.Part(part, 1.0), workers, result.Cones);
 }
 
 bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, const std::vector<LightExtent>& lights,
-  const ConeSetOptions& options, const Monitor& monitor, ConeSet& result)
+  const ConeSetOptions& options, const Monitor& monitor, ConeSet& result, Team* workers)
 {
   if (lights.size() == 1 && !vectors.LightIds && !paths.LightIds)
   {
-    return FitConeSet(vectors, paths, lights.front(), options, monitor, result);
+    return FitConeSet(vectors, paths, lights.front(), options, monitor, result, workers);
   }
   result = {};
   result.ConeIds.assign(static_cast<std::size_t>(vectors.Count), -1);
@@ -526,8 +382,8 @@ bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths, co
     const RaysOfLight& part = vectorsOf[light];
     const double next = done + static_cast<double>(part.Count()) / std::max<double>(1.0, vectors.Count);
     ConeSet set;
-    if (!FitConeSet(
-          part.Vectors(), pathsOf[light].Paths(), lights[light], options, monitor.Part(done, std::min(next, 1.0)), set))
+    const Monitor ofLight = monitor.Part(done, std::min(next, 1.0));
+    if (!FitConeSet(part.Vectors(), pathsOf[light].Paths(), lights[light], options, ofLight, set, workers))
     {
       return false;
     }

@@ -12,6 +12,7 @@
 #include "scParallel.h"
 #include "scPhotonPathView.h"
 #include "scShadowVectorView.h"
+#include "scTeam.h"
 
 #include <vector>
 
@@ -59,9 +60,10 @@ struct ConeSet
  * Fit cones to shadow vectors: seeds in index order; K nearest living neighbours; rings and sectors in the fitted plane;
  * stop where a ring's sector counts vary too much. @param paths may be empty (Count 0); @return false where aborted.
  * Cost: one nearest-neighbour query a seed, near-linear in the number of vectors. Memory: about 100 bytes a vector.
+ * @param workers processes that do this together, seeds dealt out by place: the same result in all of them.
  */
 SHADOWCONESCORE_EXPORT bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths,
-  const LightExtent& light, const ConeSetOptions& options, const Monitor& monitor, ConeSet& result);
+  const LightExtent& light, const ConeSetOptions& options, const Monitor& monitor, ConeSet& result, Team* workers = nullptr);
 
 /**
  * The same for vectors of several lights, one extent a light: a cone never joins vectors of two. Each light has the
@@ -69,7 +71,8 @@ SHADOWCONESCORE_EXPORT bool FitConeSet(const ShadowVectorView& vectors, const Ph
  * extent.
  */
 SHADOWCONESCORE_EXPORT bool FitConeSet(const ShadowVectorView& vectors, const PhotonPathView& paths,
-  const std::vector<LightExtent>& lights, const ConeSetOptions& options, const Monitor& monitor, ConeSet& result);
+  const std::vector<LightExtent>& lights, const ConeSetOptions& options, const Monitor& monitor, ConeSet& result,
+  Team* workers = nullptr);
 
 /// nullptr, or what is wrong with the options: a range that is left, or parameters with which no cone could be made.
 SHADOWCONESCORE_EXPORT const char* CheckConeSetOptions(const ConeSetOptions& options);

@@ -4,6 +4,7 @@
 #include "scBasePartition.h"
 #include "scConeExpansion.h"
 #include "scNearestVectors.h"
+#include "scSeedCovering.h"
 
 #include <algorithm>
 
@@ -89,29 +90,22 @@ Cone ConeOf(const ShadowVectorView& vectors, const std::vector<vtkIdType>& membe
 }
 } // anonymous namespace
 
-void CoverLeftovers(
-  const ShadowVectorView& vectors, const LightExtent& light, const ConeSetOptions& options, ConeSet& result)
+bool CoverLeftovers(const ShadowVectorView& vectors, const LightExtent& light, const ConeSetOptions& options,
+  const Monitor& monitor, Team* workers, ConeSet& result)
 {
   if (std::none_of(result.ConeIds.begin(), result.ConeIds.end(), [](vtkIdType cone) { return cone < 0; }))
   {
-    return;
+    return true;
   }
   const NearestVectors tree(vectors.Points, vectors.Count);
-  for (vtkIdType seed = 0; seed < vectors.Count; ++seed)
+  const int number = std::max(options.MinimumVectorsPerCone, 4);
+  const CandidateMaker make = [&](vtkIdType seed, ConeCandidate& candidate)
   {
-    if (result.ConeIds[seed] >= 0)
-    {
-      continue;
-    }
-    const std::vector<vtkIdType> members = Companions(vectors, tree, seed, std::max(options.MinimumVectorsPerCone, 4));
-    for (const vtkIdType member : members)
-    {
-      vtkIdType& cone = result.ConeIds[member];
-      cone = cone < 0 ? static_cast<vtkIdType>(result.Cones.size()) : cone;
-    }
-    result.Cones.push_back(ConeOf(vectors, members, light, options));
-  }
-  result.NumberOfDiscarded = 0;
+    candidate.Members = Companions(vectors, tree, seed, number);
+    candidate.Cone = ConeOf(vectors, candidate.Members, light, options);
+    candidate.Radius = candidate.Cone.BaseRadius;
+  };
+  return SeedCovering(vectors.Points, make, nullptr, workers, result).Run(monitor);
 }
 
 } // namespace shadowcones

@@ -15,10 +15,10 @@ namespace shadowcones
 
 /**
  * One cone for each vector that still has none, in index order: around it and its nearest vectors of the same occluder, as many
- * as make a cone, up to a gap; from the foremost of them on. All vectors in its base have a cone then.
+ * as make a cone, up to a gap; from the foremost of them on. All vectors in its base have a cone then. @return false where aborted.
  */
-void CoverLeftovers(
-  const ShadowVectorView& vectors, const LightExtent& light, const ConeSetOptions& options, ConeSet& result);
+bool CoverLeftovers(const ShadowVectorView& vectors, const LightExtent& light, const ConeSetOptions& options,
+  const Monitor& monitor, Team* workers, ConeSet& result);
 
 } // namespace shadowcones
 

@@ -45,12 +45,20 @@ void NearestVectors::Kill(vtkIdType id)
   this->Alive[id] = 0;
 }
 
-void NearestVectors::Prune()
+void NearestVectors::Revive(vtkIdType id)
+{
+  this->NumberAlive += 1 - this->Alive[id];
+  this->Alive[id] = 1;
+}
+
+bool NearestVectors::Prune()
 {
   if (2 * this->NumberAlive < static_cast<vtkIdType>(this->TreeIds.size()))
   {
     this->Build();
+    return true;
   }
+  return false;
 }
 
 void NearestVectors::Query(vtkIdType id, int k, std::vector<vtkIdType>& ids) const

@@ -29,8 +29,12 @@ public:
 
   bool IsAlive(vtkIdType id) const { return this->Alive[id]; }
   void Kill(vtkIdType id);
-  /// Rebuild where it pays. Not to be called beside Query.
-  void Prune();
+  /// One that was alive when the tree was built lives again.
+  void Revive(vtkIdType id);
+  /// Rebuild where it pays. Not to be called beside Query. @return whether it was.
+  bool Prune();
+  /// After more deaths than these Prune() rebuilds.
+  vtkIdType DeathsUntilPrune() const { return this->NumberAlive - static_cast<vtkIdType>(this->TreeIds.size()) / 2; }
   /// The (at most) @p k living points nearest to point @p id, nearest first, itself included. Safe from many threads.
   void Query(vtkIdType id, int k, std::vector<vtkIdType>& ids) const;
 
