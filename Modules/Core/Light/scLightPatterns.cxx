@@ -59,71 +59,81 @@ LightPatterns::LightPatterns(const Light& light, const LightPatternOptions& opti
   const Frame frame = FrameAround(light.Normal);
   this->U = light.Shape == LightShape::Rectangle ? light.AxisU : light.Radius * frame.U;
   this->V = light.Shape == LightShape::Rectangle ? light.AxisV : light.Radius * frame.V;
-  for (std::size_t pattern = 0; pattern < this->NumberOfPatterns; ++pattern)
+  const std::size_t all = this->NumberOfPatterns * this->Stride;
+  if (IsPlanar(light) || light.Shape == LightShape::Sphere)
   {
-    this->AddPattern(pattern);
+    // Not initialised: memory that no point asks for is not touched.
+    this->As.reset(new double[all]);
+    this->Bs.reset(new double[all]);
   }
+  else
+  {
+    this->Positions.resize(all);
+    this->Normals.resize(light.Shape == LightShape::Mesh && !light.Triangles.empty() ? all : 0);
+  }
+  this->Drawn = std::make_unique<std::once_flag[]>(this->NumberOfPatterns);
 }
 
-void LightPatterns::AddPattern(std::size_t pattern)
+void LightPatterns::DrawPattern(std::size_t pattern) const
 {
+  const std::size_t first = pattern * this->Stride;
   const std::uint64_t seed = HashSeed(this->Seed, pattern);
   for (std::size_t k = 0; k < this->Stride; ++k)
   {
     const bool padding = k >= static_cast<std::size_t>(this->NumberOfSamples);
     if (this->Exact && !padding)
     {
-      this->AddSample((static_cast<double>(k) + 0.5) / this->NumberOfSamples, 0.5);
+      this->DrawSample(first + k, (static_cast<double>(k) + 0.5) / this->NumberOfSamples, 0.5);
     }
     else if (this->Outline && !padding && k % 2 == 0)
     {
-      this->AddOutlineSample(static_cast<double>(k) / static_cast<double>(this->NumberOfSamples));
+      this->DrawOutlineSample(first + k, static_cast<double>(k) / static_cast<double>(this->NumberOfSamples));
     }
     else
     {
       const auto uv = SobolPoint(seed, static_cast<std::uint32_t>(this->Outline ? k / 2 : k));
-      this->AddSample(padding ? 0.5 : uv[0], padding ? 0.5 : uv[1]);
+      this->DrawSample(first + k, padding ? 0.5 : uv[0], padding ? 0.5 : uv[1]);
     }
   }
 }
 
-void LightPatterns::AddSample(double u, double v)
+void LightPatterns::DrawSample(std::size_t place, double u, double v) const
 {
   const Light& light = this->TheLight;
   if (light.Shape == LightShape::Sphere)
   {
     Light disc;
     disc.Radius = 1.0;
-    const Vector3 place = SampleLightArea(disc, u, v).Position;
-    this->As.push_back(Dot(place, FrameAround(disc.Normal).U));
-    this->Bs.push_back(Dot(place, FrameAround(disc.Normal).V));
+    const Vector3 onDisc = SampleLightArea(disc, u, v).Position;
+    this->As[place] = Dot(onDisc, FrameAround(disc.Normal).U);
+    this->Bs[place] = Dot(onDisc, FrameAround(disc.Normal).V);
     return;
   }
   const LightSurfaceSample sample = SampleLightArea(light, u, v);
   if (IsPlanar(light))
   {
     const Vector3 offset = sample.Position - light.Center;
-    this->As.push_back(Dot(offset, this->U) / Dot(this->U, this->U));
-    this->Bs.push_back(Dot(offset, this->V) / Dot(this->V, this->V));
+    this->As[place] = Dot(offset, this->U) / Dot(this->U, this->U);
+    this->Bs[place] = Dot(offset, this->V) / Dot(this->V, this->V);
     return;
   }
-  this->Positions.push_back(sample.Position);
-  if (light.Shape == LightShape::Mesh && !light.Triangles.empty())
+  this->Positions[place] = sample.Position;
+  if (!this->Normals.empty())
   {
-    this->Normals.push_back(sample.Normal);
+    this->Normals[place] = sample.Normal;
   }
 }
 
 /// @param turn 0..1, around the outline; of a mesh through the corners of its triangles.
-void LightPatterns::AddOutlineSample(double turn)
+void LightPatterns::DrawOutlineSample(std::size_t place, double turn) const
 {
   const Light& light = this->TheLight;
   if (light.Shape == LightShape::Mesh && !light.Triangles.empty())
   {
     const auto corner = static_cast<std::size_t>(turn * static_cast<double>(3 * light.Triangles.size()));
     const std::array<Vector3, 3>& t = light.Triangles[corner / 3];
-    this->Positions.push_back(t[corner % 3]);
-    this->Normals.push_back(Normalized(Cross(t[1] - t[0], t[2] - t[0])));
+    this->Positions[place] = t[corner % 3];
+    this->Normals[place] = Normalized(Cross(t[1] - t[0], t[2] - t[0]));
     return;
   }
   // The edge of the unit square: the maps take it to the outline of every other shape.
@@ -132,7 +142,7 @@ void LightPatterns::AddOutlineSample(double turn)
   const double rest = along - side;
   const double us[4] = { rest, 1.0, 1.0 - rest, 0.0 };
   const double vs[4] = { 0.0, rest, 1.0, 1.0 - rest };
-  this->AddSample(us[side], vs[side]);
+  this->DrawSample(place, us[side], vs[side]);
 }
 
 double LightPatterns::WeightOf(const LightView& view, std::size_t k) const
@@ -212,7 +222,9 @@ void LightPatterns::LookAtSphere(const Vector3& point, std::size_t first, LightV
 void LightPatterns::LookFrom(const Vector3& point, LightView& view) const
 {
   const Light& light = this->TheLight;
-  const std::size_t first = this->PatternOf(point) * this->Stride;
+  const std::size_t pattern = this->PatternOf(point);
+  std::call_once(this->Drawn[pattern], [&] { this->DrawPattern(pattern); });
+  const std::size_t first = pattern * this->Stride;
   const auto count = static_cast<std::size_t>(this->NumberOfSamples);
   view.X.resize(this->Stride);
   view.Y.resize(this->Stride);
@@ -229,8 +241,8 @@ void LightPatterns::LookFrom(const Vector3& point, LightView& view) const
   };
   if (IsPlanar(light))
   {
-    view.A = this->As.data() + first;
-    view.B = this->Bs.data() + first;
+    view.A = this->As.get() + first;
+    view.B = this->Bs.get() + first;
     const Vector3 toCenter = light.Center - point;
     for (std::size_t k = 0; k < this->Stride; ++k)
     {

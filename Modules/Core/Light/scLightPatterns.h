@@ -10,6 +10,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace shadowcones
@@ -41,7 +43,8 @@ struct LightPatternOptions
 /**
  * Scrambled Sobol patterns, mapped to the light once: uniform by area (Disc, Rectangle, Mesh) or by the solid angle of
  * the visible cap (Sphere, Sun), as SampleVisibleLight. Which pattern a point takes is a pure function of (Seed, its
- * coordinates), so that it does not depend on how a data set is cut into pieces.
+ * coordinates), so that it does not depend on how a data set is cut into pieces. A pattern is drawn when the first point looks
+ * through it, in any thread: a few points do not wait for all patterns.
  */
 class LightPatterns
 {
@@ -74,9 +77,9 @@ public:
 
 private:
   std::size_t PatternOf(const Vector3& point) const;
-  void AddPattern(std::size_t pattern);
-  void AddSample(double u, double v);
-  void AddOutlineSample(double turn);
+  void DrawPattern(std::size_t pattern) const;
+  void DrawSample(std::size_t place, double u, double v) const;
+  void DrawOutlineSample(std::size_t place, double turn) const;
   void LookAtSphere(const Vector3& point, std::size_t first, LightView& view) const;
 
   Light TheLight;
@@ -89,10 +92,11 @@ private:
   Vector3 U;
   Vector3 V;
   LightMask Full;
-  std::vector<double> As; ///< Disc, Rectangle: place on the light; Sphere: place on the unit disc
-  std::vector<double> Bs;
-  std::vector<Vector3> Positions; ///< Sun, Mesh, Point
-  std::vector<Vector3> Normals;   ///< Mesh with faces
+  mutable std::unique_ptr<std::once_flag[]> Drawn; ///< one a pattern; its samples below are written once, then only read
+  mutable std::unique_ptr<double[]> As;            ///< Disc, Rectangle: place on the light; Sphere: place on the unit disc
+  mutable std::unique_ptr<double[]> Bs;
+  mutable std::vector<Vector3> Positions; ///< Sun, Mesh, Point
+  mutable std::vector<Vector3> Normals;   ///< Mesh with faces
 };
 
 } // namespace shadowcones
