@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 using namespace shadowcones;
@@ -43,14 +44,14 @@ Medium ClearMedium()
   return medium;
 }
 
-/// The power per area around a ray, of a part of it that ends at surfaces which face it.
-double Gathered(const PhotonDiscs& discs, const Ray& ray, const RayInterval& part)
+/// The power per area around a ray, of a part of it that ends at surfaces which face it, in a medium that scatters evenly.
+double Gathered(const PhotonDiscs& discs, const Ray& ray, const RayInterval& part, const Medium& medium = ClearMedium(),
+  const std::function<double(double)>& depthAlong = {})
 {
-  const Medium medium = ClearMedium();
   DiscPacket packet(medium);
   packet.Clear(discs.Origin());
   const Ray moved{ ray.Origin + part.Begin * ray.Direction, ray.Direction };
-  packet.Add({ moved, { 0.0, part.End - part.Begin }, -ray.Direction }, {});
+  packet.Add({ moved, { 0.0, part.End - part.Begin }, -ray.Direction }, depthAlong);
   discs.Gather(packet);
   return 4.0 * Pi * packet.Radiance(0, 0);
 }
@@ -83,6 +84,47 @@ TEST(PhotonEstimates, DiscsAddUpToThePowerOfTheirPhotons)
     sum += Gathered(discs, { { x, y, -3.0 }, { 0.0, 0.0, 1.0 } }, { 0.0, 10.0 }) * 9.0 / rays / rays;
   }
   EXPECT_NEAR(sum, 1.0, 1e-3);
+}
+
+TEST(PhotonEstimates, PhaseFunctionsWeighThePhotons)
+{
+  // Photons fly down; light goes back along the ray, so that the cosine is that between the ray and up.
+  PhotonDiscs discs;
+  ASSERT_TRUE(discs.Build(Spread(20000, false), 64, {}));
+  const RayInterval part{ 3.2, 3.6 };
+  for (const double slant : { 0.0, 0.4, 1.2 })
+  {
+    const Vector3 along = Normalized({ slant, 0.0, 1.0 });
+    const Ray ray{ Vector3{ 0.5, 0.5, 0.5 } - 3.4 * along, along };
+    const double cosine = along.Z;
+    const double evenly = Gathered(discs, ray, part);
+    ASSERT_GT(evenly, 0.1);
+    Medium medium = ClearMedium();
+    medium.Phase.Kind = PhaseFunctionKind::Rayleigh;
+    EXPECT_NEAR(Gathered(discs, ray, part, medium) / evenly, 0.75 * (1.0 + cosine * cosine), 1e-5);
+    for (const double g : { 0.6, -0.3 })
+    {
+      medium.Phase = { PhaseFunctionKind::HenyeyGreenstein, {}, g };
+      EXPECT_NEAR(Gathered(discs, ray, part, medium) / evenly, (1.0 - g * g) / std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5), 1e-5);
+    }
+  }
+}
+
+TEST(PhotonEstimates, ADensityTakesFromTheRayWhatItsIntegralSays)
+{
+  // Depths grow as the square of the way: they are read from a table of the ray. All photons lie in a plane across it.
+  StoredPhotons plane = Spread(20000, true);
+  PhotonDiscs discs;
+  ASSERT_TRUE(discs.Build(plane, 64, {}));
+  const Ray ray{ { 0.5, 0.5, -2.0 }, { 0.0, 0.0, 1.0 } };
+  const double clear = Gathered(discs, ray, { 0.0, 4.0 });
+  ASSERT_GT(clear, 0.5);
+  Medium medium = ClearMedium();
+  medium.SigmaA = { 0.3 };
+  EXPECT_NEAR(Gathered(discs, ray, { 0.0, 4.0 }, medium) / clear, std::exp(-0.3 * 2.0), 1e-4) << "homogeneous";
+  const DensityGrid density;
+  medium.Density = &density;
+  EXPECT_NEAR(Gathered(discs, ray, { 0.0, 4.0 }, medium, [](double t) { return t * t; }) / clear, std::exp(-0.3 * 4.0), 2e-3);
 }
 
 TEST(PhotonEstimates, IrradianceOfAFloorCountsTheSideThatIsAsked)

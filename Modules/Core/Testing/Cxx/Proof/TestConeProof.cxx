@@ -472,6 +472,10 @@ TEST(ConeProof, HashKnowsConesCastersAndLights)
   EXPECT_EQ(hash(), first) << "a receiver casts nothing";
   cube.OccluderIds.back() = 3;
   EXPECT_NE(hash(), first);
+  lights = { LightsAbove()["mesh"] };
+  const std::uint64_t faces = hash();
+  lights[0].Triangles[1][2].Z += 1e-9;
+  EXPECT_NE(hash(), faces) << "a corner of the lamp";
 }
 
 TEST(ConeProof, ReceiversCastNothing)

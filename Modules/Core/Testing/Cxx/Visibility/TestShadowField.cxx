@@ -130,6 +130,46 @@ TEST(ShadowField, DiscBehindDisc)
   }
 }
 
+TEST(ShadowField, SquareBehindASquareLampOfTriangles)
+{
+  // The same closed forms along an axis of both squares, whatever triangles the lamp is cut into: 2, or more than are looked at one by one.
+  const double R = 0.5;
+  const double r = 0.3;
+  const double L = 2.0;
+  TestMesh mesh;
+  mesh.AddSheet({ -r, -r, L }, { 2.0 * r, 0.0, 0.0 }, { 0.0, 2.0 * r, 0.0 });
+  const OccluderScene scene(mesh.View());
+  for (const int parts : { 1, 7 })
+  {
+    Light light;
+    light.Shape = LightShape::Mesh;
+    const double side = 2.0 * R / parts;
+    for (int k = 0; k < parts * parts; ++k)
+    {
+      const Vector3 a{ -R + side * (k % parts), -R + side * (k / parts), 0.0 };
+      const Vector3 b = a + Vector3{ side, 0.0, 0.0 };
+      const Vector3 c = a + Vector3{ side, side, 0.0 };
+      light.Triangles.push_back({ a, b, c });
+      light.Triangles.push_back({ a, c, a + Vector3{ 0.0, side, 0.0 } });
+    }
+    light = Prepared(light);
+    const ShadowField field(scene, light, 64);
+    for (const double z : { 2.2, 2.5, 3.0 })
+    {
+      const double penumbra = PenumbraRadius(R, r, L, z);
+      const double umbra = UmbraRadius(R, r, L, z);
+      for (const double turn : { 1.0, -1.0 })
+      {
+        EXPECT_TRUE(field.Contains({ turn * 0.9995 * penumbra, 0.03, z }, ShadowBound::Outer)) << parts;
+        EXPECT_FALSE(field.Contains({ 0.03, turn * 1.0005 * penumbra, z }, ShadowBound::Outer)) << parts;
+        EXPECT_TRUE(umbra < 0.002 || field.Contains({ turn * (umbra - 0.001), 0.0, z }, ShadowBound::Inner)) << parts;
+        EXPECT_FALSE(field.Contains({ 0.0, turn * (umbra + 0.001), z }, ShadowBound::Inner)) << parts;
+      }
+    }
+    EXPECT_FALSE(field.Contains({ 0.0, 0.0, -3.0 }, ShadowBound::Outer)) << "the lamp does not shine there";
+  }
+}
+
 TEST(ShadowField, OuterBoundSeesWhatIsSmallerThanAnySample)
 {
   // A speck that hides a millionth of the light.
