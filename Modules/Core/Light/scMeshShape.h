@@ -17,6 +17,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <set>
 #include <vector>
 
 namespace shadowcones
@@ -80,12 +82,22 @@ struct MeshShape
   {
     constexpr std::size_t mostPoints = 256;
     std::vector<Vector3> points;
-    if (3 * light.Triangles.size() <= mostPoints)
+    if (3 * light.Triangles.size() <= 16 * mostPoints) // a corner is of some six triangles
     {
-      for (const Triangle& t : light.Triangles)
-      {
-        points.insert(points.end(), t.begin(), t.end());
-      }
+      points = DistinctCorners(light);
+    }
+    return points.size() <= mostPoints ? points : std::vector<Vector3>();
+  }
+
+  /// The corners, each once, in the order in which triangles first name them.
+  static std::vector<Vector3> DistinctCorners(const Light& light)
+  {
+    std::vector<Vector3> points;
+    std::set<std::array<double, 3>> known;
+    for (const Triangle& t : light.Triangles)
+    {
+      std::copy_if(t.begin(), t.end(), std::back_inserter(points),
+        [&known](const Vector3& p) { return known.insert({ p.X, p.Y, p.Z }).second; });
     }
     return points;
   }

@@ -9,7 +9,9 @@
 #include "scRandom.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace shadowcones
 {
@@ -18,12 +20,36 @@ namespace
 constexpr int rimPoints = 32;
 constexpr int blockSize = 64;
 constexpr std::uint64_t patternSeed = 1;
-/// Corners of a mesh light that are asked for at most.
+/// Of a mesh light of more corners those alone are asked for that are the farthest along one of so many directions.
 constexpr std::size_t mostCorners = 192;
 
 bool IsOfPoints(const Light& light)
 {
   return light.Shape == LightShape::Point || (light.Shape == LightShape::Mesh && light.Triangles.empty());
+}
+/// Corners of a mesh light that span it: directions cover the sphere evenly, or the plane of a flat light.
+std::set<std::array<double, 3>> ExtremeCorners(const Light& light)
+{
+  const FlatFace face = FlatFaceOf(light);
+  std::set<std::array<double, 3>> extremes;
+  for (std::size_t k = 0; k < mostCorners; ++k)
+  {
+    const double height = (2.0 * static_cast<double>(k) + 1.0) / static_cast<double>(mostCorners) - 1.0;
+    const double angle = Pi * (3.0 - std::sqrt(5.0)) * static_cast<double>(k);
+    const double radius = std::sqrt(1.0 - height * height);
+    const Vector3 direction{ radius * std::cos(angle), radius * std::sin(angle), height };
+    const Vector3 along = face.IsFlat ? direction - Dot(direction, face.Normal) * face.Normal : direction;
+    Vector3 farthest = light.Triangles[0][0];
+    for (const auto& t : light.Triangles)
+    {
+      for (const Vector3& corner : t)
+      {
+        farthest = Dot(corner, along) > Dot(farthest, along) ? corner : farthest;
+      }
+    }
+    extremes.insert({ farthest.X, farthest.Y, farthest.Z });
+  }
+  return extremes;
 }
 } // anonymous namespace
 
@@ -56,6 +82,26 @@ void ShadowSamples::Add(const Vector3& position, const Vector3& normal)
   this->Normals.push_back(normal);
 }
 
+void ShadowSamples::AddCorners(const Light& light)
+{
+  for (std::size_t k = 0; light.Triangles.empty() && k < light.Vertices.size(); ++k)
+  {
+    this->Add(light.Vertices[k], {});
+  }
+  const bool many = 3 * light.Triangles.size() > mostCorners;
+  const std::set<std::array<double, 3>> extremes = many ? ExtremeCorners(light) : std::set<std::array<double, 3>>();
+  for (const auto& t : light.Triangles)
+  {
+    for (const Vector3& corner : t)
+    {
+      if (!many || extremes.count({ corner.X, corner.Y, corner.Z }) > 0)
+      {
+        this->Add(corner, Normalized(Cross(t[1] - t[0], t[2] - t[0])));
+      }
+    }
+  }
+}
+
 void ShadowSamples::AddSpan(const Light& light)
 {
   const Frame frame = FrameAround(light.Normal);
@@ -73,19 +119,7 @@ void ShadowSamples::AddSpan(const Light& light)
   }
   if (light.Shape == LightShape::Mesh)
   {
-    const std::size_t corners = light.Triangles.empty() ? light.Vertices.size() : 3 * light.Triangles.size();
-    for (std::size_t k = 0; k < corners; ++k)
-    {
-      if (light.Triangles.empty())
-      {
-        this->Add(light.Vertices[k], {});
-      }
-      else if (corners <= mostCorners)
-      {
-        const auto& t = light.Triangles[k / 3];
-        this->Add(t[k % 3], Normalized(Cross(t[1] - t[0], t[2] - t[0])));
-      }
-    }
+    this->AddCorners(light);
     return;
   }
   for (int k = 0; k < rimPoints; ++k)

@@ -47,6 +47,7 @@ private:
   Vector3 Way(const Vector3& place, int sample) const;
   std::uint64_t LookAt(const Vector3& place, int block, double* x, double* y, double* z) const;
   void AddSpan(const Light& light);
+  void AddCorners(const Light& light);
   void Add(const Vector3& position, const Vector3& normal);
   bool HidesRay(const Vector3& place, const Vector3& to) const;
 
