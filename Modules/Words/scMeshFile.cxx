@@ -15,8 +15,10 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkFieldData.h"
 #include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkObjectFactory.h"
@@ -260,6 +262,54 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* object)
   return surface->GetOutput();
 }
 
+// Without polygons and strips of fewer than three corners: they cover nothing, and VTK 9.1 ends where it is asked for one of them.
+vtkSmartPointer<vtkPolyData> WithoutStumps(vtkPolyData* mesh)
+{
+  vtkNew<vtkPolyData> whole;
+  vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
+  vtkNew<vtkIdList> kept;
+  for (vtkIdType k = 0; k < cell; ++k)
+  {
+    kept->InsertNextId(k);
+  }
+  const auto copy = [&](vtkCellArray* from, vtkCellArray* to)
+  {
+    for (vtkIdType k = 0; from && k < from->GetNumberOfCells(); ++k, ++cell)
+    {
+      vtkIdType corners = 0;
+      const vtkIdType* ids = nullptr;
+      from->GetCellAtId(k, corners, ids);
+      if (corners >= 3)
+      {
+        to->InsertNextCell(corners, ids);
+        kept->InsertNextId(cell);
+      }
+    }
+  };
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkCellArray> strips;
+  copy(mesh->GetPolys(), polys);
+  copy(mesh->GetStrips(), strips);
+  if (kept->GetNumberOfIds() == mesh->GetNumberOfCells())
+  {
+    return mesh;
+  }
+  whole->SetPoints(mesh->GetPoints());
+  whole->SetVerts(mesh->GetVerts());
+  whole->SetLines(mesh->GetLines());
+  whole->SetPolys(polys);
+  whole->SetStrips(strips);
+  whole->GetPointData()->ShallowCopy(mesh->GetPointData());
+  whole->GetFieldData()->ShallowCopy(mesh->GetFieldData());
+  whole->GetCellData()->CopyAllOn();
+  whole->GetCellData()->CopyAllocate(mesh->GetCellData(), kept->GetNumberOfIds());
+  for (vtkIdType k = 0; k < kept->GetNumberOfIds(); ++k)
+  {
+    whole->GetCellData()->CopyData(mesh->GetCellData(), kept->GetId(k), k);
+  }
+  return whole;
+}
+
 // What is wrong with the file before it is opened; its size in bytes.
 std::string FaultOfFile(const std::string& path, std::int64_t& size)
 {
@@ -313,7 +363,7 @@ vtkSmartPointer<vtkPolyData> ReadMeshFile(const std::string& path, std::string& 
     error = Sentence("\"", path, "\" cannot be read as ", format, ": ", error, ".");
     return nullptr;
   }
-  vtkSmartPointer<vtkPolyData> mesh = SurfaceOf(data);
+  vtkSmartPointer<vtkPolyData> mesh = WithoutStumps(SurfaceOf(data));
   if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
   {
     error = Sentence("\"", path, "\" has no polygons: nothing in it casts a shadow or shines.");

@@ -15,7 +15,7 @@ namespace shadowcones
 {
 
 /**
- * The polygons of a file; of volumes their surface, of several objects all together. VTK's readers work in a process of
+ * The polygons of a file, those of fewer than three corners left out; of volumes their surface, of several objects all together. VTK's readers work in a process of
  * their own, since some of them crash on broken files. @return nullptr, with a sentence in @p error that names the file, where there are none.
  */
 vtkSmartPointer<vtkPolyData> ReadMeshFile(const std::string& path, std::string& error);

@@ -5,7 +5,8 @@
  *
  * Formats: vtp, vtk and vtu (of volumes their surface), ply, stl, obj, 3ds, gltf and glb. A file that is broken is an error, said
  * in a sentence, and never a crash: VTK's readers work in a process of their own. Only polygons are taken; point data such as
- * "Normals" and cell data such as "OccluderId" and "Reflectance" come with them.
+ * "Normals" and cell data such as "OccluderId" and "Reflectance" come with them. Polygons of fewer than three corners are left out: VTK 9.1
+ * ends the process where it is asked for one.
  *
  * Output: vtkMultiBlockDataSet, a vtkPolyData a file, in the order of the files. The name of a block is that of its file without
  * folders and extension, with a number behind it where several files have the same.

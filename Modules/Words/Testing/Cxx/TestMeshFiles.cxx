@@ -6,6 +6,7 @@
 #include "vtkLabelOccluders.h"
 
 #include "vtkAppendFilter.h"
+#include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkMassProperties.h"
 #include "vtkMultiBlockDataSet.h"
@@ -256,6 +257,20 @@ TEST_F(MeshFiles, FaultsAreSentences)
   vtkNew<vtkMeshFiles> none;
   EXPECT_FALSE(none->Read());
   EXPECT_SAYS(none->GetError(), "There is no mesh file to read.");
+}
+
+TEST_F(MeshFiles, PolygonsOfTwoCornersAreLeftOut)
+{
+  const std::string path = this->WriteBytes("stumps.vtk",
+    "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nPOLYGONS 4 13\n3 0 1 2\n2 0 1\n"
+    "1 3\n3 0 2 3\nCELL_DATA 4\nSCALARS part int 1\nLOOKUP_TABLE default\n10 11 12 13\n");
+  vtkNew<vtkMeshFiles> files;
+  files->AddFileName(path);
+  ASSERT_TRUE(files->Read()) << files->GetError();
+  vtkPolyData* mesh = files->GetMesh(0);
+  ASSERT_EQ(mesh->GetNumberOfCells(), 2);
+  EXPECT_EQ(mesh->GetCell(1)->GetPointId(2), 3);
+  EXPECT_EQ(mesh->GetCellData()->GetArray("part")->GetTuple1(1), 13.0);
 }
 
 // What crashes VTK's readers: files cut short, bytes changed. Whatever comes of it, this program goes on, and each triangle
