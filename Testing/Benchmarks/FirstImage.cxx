@@ -130,6 +130,7 @@ void Measure(const BenchmarkScene& scene, const Way& way, int size, Cost& cost)
     shafts->SetCamera(CameraBefore());
     shafts->SetResolution(size, size);
     shafts->SetRelativeErrorGoal(0.01);
+    shafts->SetPhaseAsymmetry(0.0); // isotropic, as the others
     shafts->SetOpticalDepth(scene.Medium.SigmaS.front() * (bounds.Max.X - bounds.Min.X));
     shafts->SetMediumBounds(bounds.Min.X, bounds.Max.X, bounds.Min.Y, bounds.Max.Y, bounds.Min.Z, bounds.Max.Z);
     shafts->Update();

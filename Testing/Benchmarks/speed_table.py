@@ -53,7 +53,8 @@ class Bench:
         """Comparisons at equal error by the wall clock: error, seconds and ratio under their names, in order."""
         with tempfile.TemporaryDirectory() as folder:
             figures = os.path.join(folder, "figures.json")
-            self(os.path.join(self.build, "bin", "scattering-speed"), "--scene", scene, "--repeats", "3", "--json", figures, *options)
+            self(os.path.join(self.build, "bin", "scattering-speed"), "--scene", scene, "--repeats", "3", "--json", figures,
+                 "--cache", folder, *options)
             with open(figures, encoding="utf-8") as file:
                 return json.load(file)[0]["at_equal_error"]
 
@@ -201,7 +202,7 @@ def further(bench):
 @row
 def growth(bench):
     """Exponents of all stages; the first of its parameters that an image has."""
-    text = bench(os.path.join(bench.build, "bin", "scattering-speed"), "--scene", "chair", "--sweep", "--repeats", "3")
+    text = bench(os.path.join(bench.build, "bin", "scattering-speed"), "--scene", "chair", "--sweep", "--repeats", "3", "--cache", tempfile.gettempdir())
     parameter = ""
     for line in text.splitlines():
         heading = re.match(r"  (\S.*?)  +[\d.e+]+ .*exponent$", line)
