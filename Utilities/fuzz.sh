@@ -65,7 +65,7 @@ run_harness()
   # The limit of an input is by the clock: long enough for a machine that others use too.
   options="-max_len=$length -timeout=120 -rss_limit_mb=3000 -print_final_stats=1 -reload=0 -max_total_time=$SECONDS_EACH -runs=$runs"
   if [ "$program" = fuzz-data ]; then
-    # Weights of inputs by how rare their paths are took half of the time of these programs, which have many paths.
+    # Weights of inputs by how rare their paths are took a quarter of the time of density: these programs have many paths.
     options="$options -entropic=0"
   fi
   if [ -e "$dictionary" ]; then

@@ -262,9 +262,25 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* object)
   return surface->GetOutput();
 }
 
+bool HasStumps(vtkCellArray* cells)
+{
+  for (vtkIdType k = 0; cells && k < cells->GetNumberOfCells(); ++k)
+  {
+    if (cells->GetCellSize(k) < 3)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Without polygons and strips of fewer than three corners: they cover nothing, and VTK 9.1 ends where it is asked for one of them.
 vtkSmartPointer<vtkPolyData> WithoutStumps(vtkPolyData* mesh)
 {
+  if (!HasStumps(mesh->GetPolys()) && !HasStumps(mesh->GetStrips()))
+  {
+    return mesh;
+  }
   vtkNew<vtkPolyData> whole;
   vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   vtkNew<vtkIdList> kept;
@@ -274,7 +290,7 @@ vtkSmartPointer<vtkPolyData> WithoutStumps(vtkPolyData* mesh)
   }
   const auto copy = [&](vtkCellArray* from, vtkCellArray* to)
   {
-    for (vtkIdType k = 0; from && k < from->GetNumberOfCells(); ++k, ++cell)
+    for (vtkIdType k = 0; k < from->GetNumberOfCells(); ++k, ++cell)
     {
       vtkIdType corners = 0;
       const vtkIdType* ids = nullptr;
@@ -290,10 +306,6 @@ vtkSmartPointer<vtkPolyData> WithoutStumps(vtkPolyData* mesh)
   vtkNew<vtkCellArray> strips;
   copy(mesh->GetPolys(), polys);
   copy(mesh->GetStrips(), strips);
-  if (kept->GetNumberOfIds() == mesh->GetNumberOfCells())
-  {
-    return mesh;
-  }
   whole->SetPoints(mesh->GetPoints());
   whole->SetVerts(mesh->GetVerts());
   whole->SetLines(mesh->GetLines());

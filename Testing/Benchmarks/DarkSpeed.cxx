@@ -40,13 +40,7 @@ double ErrorOfPicture(const ScatteringImage& image, const std::vector<PixelTruth
   std::vector<double> values;
   for (const PixelTruth& pixel : truth)
   {
-    const float* light = &image.InScattering[(static_cast<std::size_t>(pixel.J) * size + pixel.I) * image.NumberOfWavelengths];
-    double sum = 0.0;
-    for (int k = 0; k < image.NumberOfWavelengths; ++k)
-    {
-      sum += light[k];
-    }
-    values.push_back(sum / image.NumberOfWavelengths);
+    values.push_back(MeanOfPixel(image, static_cast<std::size_t>(pixel.J) * size + pixel.I));
   }
   const ImageError error = Compare(values, truth);
   return std::max(error.Rms, error.Smallest);

@@ -196,6 +196,17 @@ std::vector<PixelTruth> ReferencePixels(
 }
 
 //------------------------------------------------------------------------------
+double MeanOfPixel(const ScatteringImage& image, std::size_t pixel)
+{
+  double value = 0.0;
+  for (int k = 0; k < image.NumberOfWavelengths; ++k)
+  {
+    value += image.InScattering[pixel * image.NumberOfWavelengths + k];
+  }
+  return value / image.NumberOfWavelengths;
+}
+
+//------------------------------------------------------------------------------
 ImageError Compare(const std::vector<double>& values, const std::vector<PixelTruth>& truth)
 {
   double squares = 0.0;

@@ -33,6 +33,9 @@ std::vector<PixelTruth> SpreadPixels(int size, int count);
 std::vector<PixelTruth> ReferencePixels(
   const BenchmarkScene& scene, int size, int pixels, int samples, const std::string& folder);
 
+/// The medium term of a pixel of an image, mean over wavelengths.
+double MeanOfPixel(const ScatteringImage& image, std::size_t pixel);
+
 struct ImageError
 {
   double Rms = 0.0;       ///< over the mean, the reference's noise taken off

@@ -19,16 +19,6 @@ namespace shadowcones
 {
 namespace
 {
-double MeanOfPixel(const ScatteringImage& image, std::size_t pixel)
-{
-  double value = 0.0;
-  for (int k = 0; k < image.NumberOfWavelengths; ++k)
-  {
-    value += image.InScattering[pixel * image.NumberOfWavelengths + k];
-  }
-  return value / image.NumberOfWavelengths;
-}
-
 class Measurement
 {
 public:

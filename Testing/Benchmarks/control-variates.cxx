@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <vector>
@@ -23,7 +24,7 @@ using namespace shadowcones;
 
 namespace
 {
-constexpr int numberOfShifts = 16;
+constexpr int numberOfSeeds = 16;
 constexpr int variates = 3; ///< none, grid, discs
 
 struct Setting
@@ -81,7 +82,7 @@ private:
   std::vector<Cone> Discs;
 };
 
-/// Sums of squares over pixels and shifts.
+/// Sums of squares over pixels and seeds.
 struct Tally
 {
   double Squares[variates] = {};
@@ -90,25 +91,13 @@ struct Tally
   int Pixels = 0;
 };
 
-/// Point @p k of a sequence in three dimensions that fills the cube evenly (Roberts 2018), moved by a random vector.
-std::array<double, 3> PointOf(int k, const std::array<double, 4>& shift)
-{
-  constexpr double steps[3] = { 0.8191725133961645, 0.6710436067037893, 0.5497004779019703 };
-  std::array<double, 3> point{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double value = shift[axis] + steps[axis] * (k + 1);
-    point[axis] = value - std::floor(value);
-  }
-  return point;
-}
-
-Look MeanOf(const Looker& looker, const Ray& ray, double begin, double end, int count, const std::array<double, 4>& shift, Tally* tally)
+/// By scrambled Sobol points.
+Look MeanOf(const Looker& looker, const Ray& ray, double begin, double end, int count, std::uint64_t seed, Tally* tally)
 {
   Look mean;
   for (int k = 0; k < count; ++k)
   {
-    const std::array<double, 3> at = PointOf(k, shift);
+    const std::array<double, 4> at = SobolPoint(seed, static_cast<std::uint32_t>(k));
     const Look look = looker.At(ray, begin + at[0] * (end - begin), at[1], at[2]);
     mean.Visible += look.Visible / count;
     mean.Grid += look.Grid / count;
@@ -134,7 +123,7 @@ std::vector<Tally> MeasurePixel(const BenchmarkScene& scene, const Looker& looke
     return tallies;
   }
   Tally whole;
-  const Look exact = MeanOf(looker, ray, begin, end, setting.Exact, {}, &whole);
+  const Look exact = MeanOf(looker, ray, begin, end, setting.Exact, 0, &whole);
   if (exact.Visible > 0.999)
   {
     return tallies;
@@ -146,15 +135,15 @@ std::vector<Tally> MeasurePixel(const BenchmarkScene& scene, const Looker& looke
     tally.Different[0] = exact.Visible * (1.0 - exact.Visible);
     tally.Visible = exact.Visible;
     tally.Pixels = 1;
-    for (int k = 0; k < numberOfShifts; ++k)
+    for (int k = 0; k < numberOfSeeds; ++k)
     {
-      const auto seed = static_cast<std::uint64_t>(pixel.J) * 128 + static_cast<std::uint64_t>(pixel.I);
-      const Look mean = MeanOf(looker, ray, begin, end, setting.Samples[n], SobolPoint(seed, static_cast<std::uint32_t>(k)), nullptr);
+      const auto word = static_cast<std::uint64_t>(pixel.J) * 128 + static_cast<std::uint64_t>(pixel.I);
+      const Look mean = MeanOf(looker, ray, begin, end, setting.Samples[n], HashSeed(word, static_cast<std::uint64_t>(k + 1)), nullptr);
       const double errors[variates] = { mean.Visible - exact.Visible, mean.Visible - mean.Grid + exact.Grid - exact.Visible,
         mean.Visible - mean.Discs + exact.Discs - exact.Visible };
       for (int variate = 0; variate < variates; ++variate)
       {
-        tally.Squares[variate] += errors[variate] * errors[variate] / numberOfShifts;
+        tally.Squares[variate] += errors[variate] * errors[variate] / numberOfSeeds;
       }
     }
   }
