@@ -6,7 +6,7 @@
 #   --runs     executions of each harness
 #   --total    executions of each harness, those of all runs before counted too: a harness that has as many is left out
 #   --jobs     harnesses side by side; 1 by default
-# Harnesses: words options field-data light mesh chain vectors cone-set volume density (Testing/Fuzz).
+# Harnesses: words options field-data light mesh chain vectors cone-set volume density fog (Testing/Fuzz).
 # How often each has been executed in all runs is kept in build-fuzz/executions, also where a run is ended by a signal.
 # Inputs that broke something lie in build-fuzz/found; mend it, and add them with Testing/Fuzz/corpus.py.
 set -eu
@@ -122,7 +122,7 @@ if [ -z "$SECONDS_EACH" ]; then
   fi
 fi
 export SECONDS_EACH RUNS TOTAL
-[ $# -gt 0 ] || set -- words options field-data light mesh chain vectors cone-set volume density
+[ $# -gt 0 ] || set -- words options field-data light mesh chain vectors cone-set volume density fog
 
 install_packages build fuzz
 cd "$root"
@@ -135,7 +135,7 @@ mkdir -p build-fuzz/found "$counts"
 python3 Testing/Fuzz/corpus.py unpack build-fuzz/seeds
 lost=0
 printf '%s\n' "$@" | xargs -P "$jobs" -n 1 sh Utilities/fuzz.sh --alone || lost=1
-for harness in words options field-data light mesh chain vectors cone-set volume density; do
+for harness in words options field-data light mesh chain vectors cone-set volume density fog; do
   printf '%s %s\n' "$harness" "$(kept_of "$harness")"
 done | awk '{ if ($1 ~ /words|options|field-data/) parsers += $2; else filters += $2 }
   END { printf "executions in all runs: parsers %.0f, filters %.0f\n", parsers, filters }'

@@ -1,14 +1,15 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Try this tree where it is to work, a line each: sh Utilities/matrix.sh [debian-12|debian-13|clang|paraview|sanitize|thread]...
+# Try this tree where it is to work, a line each: sh Utilities/matrix.sh [debian-12|debian-13|clang|tidy|paraview|sanitize|thread]...
 set -eu
 . "$(dirname "$0")/setup.sh"
 
 usage()
 {
-  printf 'usage: sh Utilities/matrix.sh [debian-12|debian-13|clang|paraview|sanitize|thread]...\n'
+  printf 'usage: sh Utilities/matrix.sh [debian-12|debian-13|clang|tidy|paraview|sanitize|thread]...\n'
   printf 'debian-12, debian-13  the test command in a fresh system below build-matrix/ (root, network, 4 GB)\n'
   printf 'clang                 build and test with clang, and hold what it computes against the build of test.sh\n'
+  printf 'tidy                  clang-tidy over all modules\n'
   printf 'paraview              the plugin and its tests, in a real window\n'
   printf 'sanitize, thread      every test with the sanitizers for addresses and undefined behaviour, or for threads\n'
   printf 'Default: all of them; a machine with two cores takes hours. Logs stand in build-matrix/.\n'
@@ -46,16 +47,17 @@ try_one()
     debian-12) try_release bookworm ;;
     debian-13) try_release trixie ;;
     clang) try_clang ;;
+    tidy) sh "$root/Utilities/tidy.sh" ;;
     paraview) sh "$root/Utilities/paraview.sh" ;;
     sanitize) sh "$root/Utilities/sanitize.sh" ;;
     thread) sh "$root/Utilities/sanitize.sh" thread ;;
   esac
 }
 
-[ $# -gt 0 ] || set -- debian-12 debian-13 clang paraview sanitize thread
+[ $# -gt 0 ] || set -- debian-12 debian-13 clang tidy paraview sanitize thread
 for name in "$@"; do
   case "$name" in
-    debian-12 | debian-13 | clang | paraview | sanitize | thread) ;;
+    debian-12 | debian-13 | clang | tidy | paraview | sanitize | thread) ;;
     --help) usage; exit 0 ;;
     *) usage >&2; exit 2 ;;
   esac

@@ -14,4 +14,4 @@ for word in PASSED SKIPPED; do
 done
 # The plugin is a build of its own for another VTK: it is tested where it has been built.
 sh "$root/Utilities/paraview.sh" --if-there
-printf 'Not tried here: sanitizers, clang and fresh systems (sh Utilities/matrix.sh)\n'
+printf 'Not tried here: sanitizers, clang, clang-tidy and fresh systems (sh Utilities/matrix.sh)\n'

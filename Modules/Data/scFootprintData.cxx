@@ -135,6 +135,12 @@ bool ReadOutlines(vtkPolyData* input, std::vector<OutlineRing>& outlines, std::s
   {
     OutlineRing ring;
     ring.ShadowClass = classes ? WholeOf<int>(classes->GetComponent(cell, 0)) : ring.ShadowClass;
+    if (ring.ShadowClass < 0 || ring.ShadowClass > 2)
+    {
+      error = Sentence("\"ShadowClass\" of the outlines is ", classes->GetComponent(cell, 0), " in cell ", cell,
+        ": it must be 0, 1 or 2.");
+      return false;
+    }
     ring.OccluderId = occluders ? WholeOf<int>(occluders->GetComponent(cell, 0)) : ring.OccluderId;
     ring.LightId = lights ? WholeOf<int>(lights->GetComponent(cell, 0)) : ring.LightId;
     const vtkIdType count = ids->GetNumberOfIds();

@@ -89,17 +89,22 @@ bool ReadPlacement(vtkImageData* input, VisibilityGrid& grid, std::string& error
   return true;
 }
 
-/// @param shadow its class; below 0: as the value says. @return false where the value is out of range.
-bool SetValue(std::size_t id, double value, double shadow, bool marked, VisibilityGrid& grid)
+bool IsShadowClass(double value)
 {
-  if (!(value >= 0.0 && value <= 1.0))
+  return value == 0.0 || value == 1.0 || value == 2.0;
+}
+
+/// @param shadow its class; null: as the value says. @return false where the value or the class is out of range.
+bool SetValue(std::size_t id, double value, const double* shadow, bool marked, VisibilityGrid& grid)
+{
+  if (!(value >= 0.0 && value <= 1.0) || (shadow && !IsShadowClass(*shadow)))
   {
     return false;
   }
   const ShadowClass byValue =
     value == 1.0 ? ShadowClass::Lit : (value == 0.0 ? ShadowClass::Umbra : ShadowClass::Penumbra);
   grid.Visibility[id] = static_cast<float>(value);
-  grid.ShadowClasses[id] = static_cast<unsigned char>(shadow < 0.0 ? static_cast<double>(byValue) : shadow);
+  grid.ShadowClasses[id] = shadow ? static_cast<unsigned char>(*shadow) : static_cast<unsigned char>(byValue);
   grid.Marked[id] = value < 1.0 || marked ? 1 : 0;
   return true;
 }
@@ -117,8 +122,9 @@ vtkIdType CopyValues(const float* values, const unsigned char* classes, const un
       for (vtkIdType i = begin; i < end; ++i)
       {
         const vtkIdType at = i * lights + light;
-        if (!SetValue(static_cast<std::size_t>(i), static_cast<double>(values[at]),
-              classes ? static_cast<double>(classes[at]) : -1.0, marked && marked[i] != 0, grid))
+        const double shadow = classes ? static_cast<double>(classes[at]) : 0.0;
+        if (!SetValue(static_cast<std::size_t>(i), static_cast<double>(values[at]), classes ? &shadow : nullptr,
+              marked && marked[i] != 0, grid))
         {
           vtkIdType known = firstBad;
           while (i < known && !firstBad.compare_exchange_weak(known, i))
@@ -166,7 +172,8 @@ bool ReadValues(vtkImageData* input, int light, int lights, VisibilityGrid& grid
     for (vtkIdType i = 0; i < count && bad < 0; ++i)
     {
       const double value = visibility->GetComponent(i, light);
-      bad = SetValue(static_cast<std::size_t>(i), value, classes ? classes->GetComponent(i, light) : -1.0,
+      const double shadow = classes ? classes->GetComponent(i, light) : 0.0;
+      bad = SetValue(static_cast<std::size_t>(i), value, classes ? &shadow : nullptr,
               marked && marked->GetComponent(i, 0) != 0.0, grid)
         ? -1
         : i;
@@ -174,9 +181,11 @@ bool ReadValues(vtkImageData* input, int light, int lights, VisibilityGrid& grid
   }
   if (bad >= 0)
   {
+    const bool byClass = classes && !IsShadowClass(classes->GetComponent(bad, light));
     std::ostringstream text;
-    text << "\"Visibility\" of the visibility volume is " << visibility->GetComponent(bad, light) << " at point " << bad
-         << ": it must be in 0..1.";
+    text << (byClass ? "\"ShadowClass\"" : "\"Visibility\"") << " of the visibility volume is "
+         << (byClass ? classes : visibility)->GetComponent(bad, light) << " at point " << bad << ": it must be "
+         << (byClass ? "0, 1 or 2." : "in 0..1.");
     error = text.str();
   }
   return bad < 0;

@@ -124,8 +124,9 @@ void BlockedLight::Look(
     this->Wanted = most;
     return;
   }
-  const double largest = std::max(lit.Mean(), yardstick.Darkest);
-  const double first = std::ceil(std::pow(expectedSpread * this->Intervals.MeanInside() / (goal * largest), 4.0 / 3.0));
+  const double largest = std::max({ lit.Mean(), this->Intervals.MeanInside(), yardstick.Darkest });
+  const double inside = largest > 0.0 ? this->Intervals.MeanInside() / largest : 0.0; // light of none in an image of none
+  const double first = std::ceil(std::pow(expectedSpread * inside / goal, 4.0 / 3.0));
   const double count = std::clamp<double>(first, fewestSamples, mostFirstSamples);
   this->Sample(lit, static_cast<int>(std::min<double>(count, most)), HashSeed(seed, 0));
   this->Conclude(yardstick.LitError);

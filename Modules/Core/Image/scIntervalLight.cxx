@@ -27,6 +27,7 @@ bool IntervalLight::Set(const LitSums& lit, const std::vector<RayInterval>& inte
   }
   for (std::size_t g = 0; g < this->InGroups.size(); ++g)
   {
+    this->InGroups[g] = std::max(this->InGroups[g], 0.0); // a difference of sums
     this->Mean += this->Groups.MeanScatteredRadiance[g] * this->InGroups[g];
   }
   return this->All > 0.0;

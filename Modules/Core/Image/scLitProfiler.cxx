@@ -14,6 +14,8 @@ namespace
 {
 constexpr int cells = LitProfileLayout::Cells;
 constexpr int nodes = 8; ///< a panel
+/// Light whose polynomial ends with terms that are this large, over the most on the ray, is not smooth in the panel.
+constexpr double roughEnd = 0.05;
 
 /// Integrals over cells from values at the nodes of a panel, for every number of panels; over a panel of width 1.
 struct PanelRules
@@ -27,6 +29,22 @@ struct PanelRules
       for (std::size_t m = 0; m < nodes; ++m)
       {
         this->Inverses[j] /= m == j ? 1.0 : this->Rule.Nodes[j] - this->Rule.Nodes[m];
+      }
+    }
+    for (std::size_t j = 0; j < nodes; ++j)
+    {
+      // Legendre polynomials up to the last two that the nodes tell apart.
+      const double x = 2.0 * this->Rule.Nodes[j] - 1.0;
+      std::array<double, nodes> legendre{ { 1.0, x } };
+      for (std::size_t n = 2; n < nodes; ++n)
+      {
+        const auto degree = static_cast<double>(n);
+        legendre[n] = ((2.0 * degree - 1.0) * x * legendre[n - 1] - (degree - 1.0) * legendre[n - 2]) / degree;
+      }
+      for (std::size_t k = 0; k < 2; ++k)
+      {
+        const std::size_t n = nodes - 2 + k;
+        this->LastTerms[k][j] = static_cast<double>(2 * n + 1) * this->Rule.Weights[j] * legendre[n];
       }
     }
     for (int level = 0; level < LitQuadrature::NumberOfPanelLevels; ++level)
@@ -75,6 +93,7 @@ struct PanelRules
 
   GaussLegendre Rule;
   std::array<double, nodes> Inverses; ///< of the polynomials' products of differences of nodes
+  std::array<std::array<double, nodes>, 2> LastTerms; ///< of the polynomial through values at the nodes, in Legendre's
   GaussLegendre CellRule{ 2 };        ///< of one cell where a density varies
   std::array<std::vector<double>, LitQuadrature::NumberOfPanelLevels> Matrices;
 };
@@ -177,8 +196,7 @@ void LitProfiler::IntegrateDensity(
       const double factor = 0.5 * depth / std::fabs(variable.CellFactor());
       // Within a cell the variable goes with the distance, nearly.
       const double coordinate = k + std::clamp((t - edges[k]) / (end - edges[k]), 0.0, 1.0);
-      this->TablePanels > 0 ? this->AddFromTable(ray, t, coordinate, factor, this->Nodes.data())
-                            : this->AddNode(ray, t, this->OpticalDepth.Along(t), factor, level, this->Nodes.data());
+      this->AddPlace(ray, t, coordinate, factor, level, this->Nodes.data());
     }
     for (int g = 0; g < groups; ++g)
     {
@@ -213,13 +231,53 @@ void LitProfiler::TabulateLight(const Ray& ray, const LitVariable& variable, con
     this->AddNode(ray, t, 0.0, this->Evened(ray.Origin + t * ray.Direction), level,
       this->Table.data() + static_cast<std::size_t>(node * groups));
   }
+  this->FindRoughPanels();
 }
 
-void LitProfiler::AddFromTable(const Ray& ray, double t, double coordinate, double factor, double* value) const
+void LitProfiler::FindRoughPanels()
+{
+  const int groups = this->Quadrature.Groups.Count();
+  this->RoughPanels.assign(static_cast<std::size_t>(this->TablePanels), 0);
+  for (int g = 0; g < groups; ++g)
+  {
+    double most = 0.0;
+    for (int node = 0; node < this->TablePanels * nodes; ++node)
+    {
+      most = std::max(most, this->Table[static_cast<std::size_t>(node * groups + g)]);
+    }
+    for (int panel = 0; panel < this->TablePanels; ++panel)
+    {
+      double last[2] = { 0.0, 0.0 };
+      for (int j = 0; j < nodes; ++j)
+      {
+        const double value = this->Table[static_cast<std::size_t>((panel * nodes + j) * groups + g)];
+        last[0] += Panels().LastTerms[0][static_cast<std::size_t>(j)] * value;
+        last[1] += Panels().LastTerms[1][static_cast<std::size_t>(j)] * value;
+      }
+      if (std::fabs(last[0]) + std::fabs(last[1]) > roughEnd * most)
+      {
+        this->RoughPanels[static_cast<std::size_t>(panel)] = 1;
+      }
+    }
+  }
+}
+
+void LitProfiler::AddPlace(
+  const Ray& ray, double t, double coordinate, double factor, const LitLevel& level, double* value)
 {
   const double place = coordinate / cells * this->TablePanels;
-  const int panel = std::clamp(static_cast<int>(place), 0, this->TablePanels - 1);
-  const std::array<double, nodes> polynomials = Panels().PolynomialsAt(place - panel);
+  const int panel = std::clamp(static_cast<int>(place), 0, std::max(this->TablePanels - 1, 0));
+  if (this->TablePanels == 0 || this->RoughPanels[static_cast<std::size_t>(panel)] != 0)
+  {
+    this->AddNode(ray, t, this->OpticalDepth.Along(t), factor, level, value);
+    return;
+  }
+  this->AddFromTable(ray, t, panel, place - panel, factor, value);
+}
+
+void LitProfiler::AddFromTable(const Ray& ray, double t, int panel, double x, double factor, double* value) const
+{
+  const std::array<double, nodes> polynomials = Panels().PolynomialsAt(x);
   const ExtinctionGroups& groups = this->Quadrature.Groups;
   const double cameraLeg = this->OpticalDepth.Along(t);
   const double even = this->Evened(ray.Origin + t * ray.Direction);
@@ -232,7 +290,8 @@ void LitProfiler::AddFromTable(const Ray& ray, double t, double coordinate, doub
       sum += polynomials[static_cast<std::size_t>(j)] * table[j * groups.Count() + g];
     }
     const double transmittance = TransmittanceOver(groups.SigmaT[static_cast<std::size_t>(g)], cameraLeg);
-    value[g] += even > 0.0 ? factor / even * sum * transmittance : 0.0;
+    // Light is never below 0, as the polynomial may be where there is next to none.
+    value[g] += even > 0.0 ? factor / even * std::max(sum, 0.0) * transmittance : 0.0;
   }
 }
 

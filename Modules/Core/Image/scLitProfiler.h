@@ -34,10 +34,14 @@ public:
 private:
   void IntegrateDensity(
     const Ray& ray, const LitVariable& variable, const double* edges, const LitLevel& level, float* values);
-  /// Look at the light from the nodes of all panels, through the density: what lies between them is read from these.
+  /// Look at the light from the nodes of all panels, through the density: what lies between them is read from these, but
+  /// in panels in which it is rough.
   void TabulateLight(const Ray& ray, const LitVariable& variable, const LitLevel& level);
-  /// Add what the table says of a place, whose cell coordinate is given, times a factor, with the camera's leg.
-  void AddFromTable(const Ray& ray, double t, double coordinate, double factor, double* value) const;
+  void FindRoughPanels();
+  /// Add what the light sends to a place, whose cell coordinate is given, times a factor, with the camera's leg.
+  void AddPlace(const Ray& ray, double t, double coordinate, double factor, const LitLevel& level, double* value);
+  /// The same from the table: @p x of a panel.
+  void AddFromTable(const Ray& ray, double t, int panel, double x, double factor, double* value) const;
   /// What the table holds is multiplied by this to be smooth along the ray: the squared distance from the light.
   double Evened(const Vector3& point) const;
   double DepthTowards(const Vector3& point, const IncidentSample& sample) const;
@@ -55,6 +59,7 @@ private:
   std::vector<double> Nodes;  ///< integrand at the nodes of one panel, group by group
   std::vector<double> Table;  ///< in a varying density: what the light sends to the nodes of all panels
   int TablePanels = 0;        ///< 0: there is none
+  std::vector<char> RoughPanels; ///< of the table: 1 where polynomials do not follow it
   std::vector<float> Weights; ///< of light points
   std::vector<float> Cosines;
   std::vector<float> Legs;

@@ -28,7 +28,8 @@ void LitSums::Add(const LitPixel& pixel, double tEnd, const MediumOpticalDepth* 
   this->Whole = 0.0;
   for (int g = 0; g < groups; ++g)
   {
-    const double total = this->SumOfCells(this->LastCoordinate, g);
+    // What is interpolated may be below 0 where there is next to no light.
+    const double total = std::max(this->SumOfCells(this->LastCoordinate, g), 0.0);
     this->Totals[static_cast<std::size_t>(g)] = total;
     this->Whole += this->Extinction.MeanScatteredRadiance[static_cast<std::size_t>(g)] * total;
   }

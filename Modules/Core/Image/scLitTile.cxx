@@ -66,7 +66,7 @@ LitTile::LitTile(const LitQuadrature& quadrature, const Camera& camera, int widt
     smallest *= 0.1;
   }
   this->Columns.resize(3 * quadrature.Layout.Size());
-  this->ComputedValues.resize((Side + 1) * (Side + 1) * quadrature.Layout.Size());
+  this->ComputedValues.reset(new float[(Side + 1) * (Side + 1) * quadrature.Layout.Size()]);
   for (std::vector<float>& values : this->Scratch)
   {
     values.resize(quadrature.Layout.Size());
@@ -387,7 +387,7 @@ void LitTile::EvaluatePixel(int i, int j, const LitInterval& interval, const Lit
   const auto at = static_cast<std::size_t>((j - this->J0) * (Side + 1) + i - this->I0);
   const std::size_t count = this->Quadrature.Layout.Size();
   Computed& computed = this->ComputedPixels[at];
-  float* known = this->ComputedValues.data() + at * count;
+  float* known = this->ComputedValues.get() + at * count;
   if (computed.Faces != interval.Faces || computed.Level.Panels != level.Panels || computed.Level.Rule != level.Rule)
   {
     this->Evaluate(this->RayOf(i, j), interval, level, known);

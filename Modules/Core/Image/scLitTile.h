@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace shadowcones
@@ -107,7 +108,7 @@ private:
     LitLevel Level;
   };
   std::vector<Computed> ComputedPixels;
-  std::vector<float> ComputedValues;
+  std::unique_ptr<float[]> ComputedValues; ///< a megabyte or two, written as pixels are computed
   vtkIdType Rays = 0;
 };
 

@@ -8,6 +8,7 @@
 
 #include "vtkErrorCode.h"
 #include "vtkIdList.h"
+#include "vtkIntArray.h"
 #include "vtkRegularPolygonSource.h"
 
 #include <cmath>
@@ -300,6 +301,14 @@ TEST(ShadowFootprints, TheWriterLeavesOutWhatIsNoPolygon)
   EXPECT_NE(ReadFile(path).find("[[0.0,0.0,0.0],[1.0,0.0,0.0],[1.0,1.0,0.5],[0.0,0.0,0.0]]"), std::string::npos)
     << "turned counter-clockwise, with heights: " << ReadFile(path);
   std::remove(path.c_str());
+  vtkNew<vtkIntArray> classes;
+  classes->SetName("ShadowClass");
+  classes->InsertNextValue(1);
+  classes->InsertNextValue(7);
+  lines->GetCellData()->AddArray(classes);
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_SAYS(messages.Errors, "\"ShadowClass\" of the outlines is 7 in cell 1: it must be 0, 1 or 2.");
+  lines->GetCellData()->RemoveArray("ShadowClass");
   points->SetPoint(1, std::nan(""), 0.0, 0.0);
   points->Modified();
   EXPECT_EQ(writer->Write(), 0);

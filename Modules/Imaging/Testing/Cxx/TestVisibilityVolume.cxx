@@ -404,6 +404,8 @@ TEST_F(VisibilityVolume, BadVolumesAreReported)
     [](vtkImageData* volume) { volume->GetPointData()->GetArray("Visibility")->SetComponent(7, 0, 1.5); });
   this->ExpectUnreadable("is nan at point 3",
     [](vtkImageData* volume) { volume->GetPointData()->GetArray("Visibility")->SetComponent(3, 0, std::nan("")); });
+  this->ExpectUnreadable("\"ShadowClass\" of the visibility volume is 3 at point 4: it must be 0, 1 or 2.",
+    [](vtkImageData* volume) { volume->GetPointData()->GetArray("ShadowClass")->SetComponent(4, 0, 3.0); });
   this->ExpectUnreadable("Point array \"Marked\" of the visibility volume has 2 values of 1 components",
     [](vtkImageData* volume) { volume->GetPointData()->GetArray("Marked")->SetNumberOfTuples(2); });
   this->ExpectUnreadable("rotated by its direction matrix",

@@ -4,6 +4,7 @@
 
 #include "scLoopRecorder.h"
 
+#include "LoopBackends.h"
 #include "TimeLimit.h"
 
 #include "vtkSMPTools.h"
@@ -112,9 +113,9 @@ protected:
   void SetUp() override
   {
     this->Before = vtkSMPTools::GetBackend();
-    if (!vtkSMPTools::SetBackend(GetParam()))
+    if (!testsupport::UseLoopBackend(GetParam()))
     {
-      GTEST_SKIP() << "VTK was built without " << GetParam();
+      GTEST_SKIP() << "There is no " << GetParam() << " to try";
     }
     vtkSMPTools::Initialize(2);
   }
