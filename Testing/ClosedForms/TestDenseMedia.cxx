@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 using namespace shadowcones;
@@ -91,6 +93,67 @@ TEST(DenseMedia, AnyDensityUnderTheSunIsItsDepth)
         << NameOf(mode) << ", sigma_t " << sigma;
     }
   }
+}
+
+TEST(DenseMedia, StepsOfInkAreLitOnTheirFaces)
+{
+  // Lommel and Seeliger: where both legs grow alike, as below a face, single scattering leaves mu0 / (mu + mu0) of what an
+  // albedo of 1 would send on, whatever the density. Steps of two heights, so that rays beside each other differ.
+  constexpr int columns = 8;
+  DensityGrid grid;
+  grid.Dimensions = { 10 * columns + 1, 2, 41 };
+  grid.Origin = { -0.5 * columns, -50.0, -1.0 };
+  grid.Axes = { Vector3{ 0.1, 0.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 0.0, 0.0, 0.05 } };
+  const auto top = [](int column) { return column % 2 == 0 ? 0.4 : -0.2; }; // of nodes without density
+  for (int k = 0; k < 41; ++k)
+  {
+    for (int i = 0; i < 2 * (10 * columns + 1); ++i)
+    {
+      grid.Values.push_back(-1.0 + 0.05 * k < top(i % (10 * columns + 1) / 10) - 1e-6 ? 1.0f : 0.0f);
+    }
+  }
+  ASSERT_EQ(PrepareDensityGrid(grid), nullptr);
+  const double lean = 0.7;
+  const double mu0 = std::cos(lean);
+  int tried = 0;
+  for (const auto& [sigma, mode] : { std::make_pair(30.0, ScatteringMode::BruteForce),
+         std::make_pair(30.0, ScatteringMode::Guided), std::make_pair(1e4, ScatteringMode::Guided),
+         std::make_pair(1e9, ScatteringMode::Guided), std::make_pair(1e15, ScatteringMode::Guided) })
+  {
+    ImageTestScene scene;
+    scene.SetLight(LightShape::Sun, {}, { 0.0, std::sin(lean), -mu0 }, 0.0, { Irradiance });
+    scene.SetMedium({ 0.6 * sigma }, { 0.4 * sigma }, { -0.5 * columns, -50.0, -1.0 }, { 0.5 * columns, 50.0, 1.0 });
+    scene.AddNothing();
+    scene.Fog.Density = &grid;
+    scene.Eye = LookAt({ 0.13, 0.0, 6.0 }, { 0.0, 0.0, 0.0 }, 0.2);
+    scene.SetSize(48, 8);
+    scene.Options.Extent = { 0, 47, 0, 3 };
+    scene.Options.RelativeErrorGoal = 0.005;
+    scene.Options.NumberOfSteps = 1000;
+    const double ofSteps = mode == ScatteringMode::BruteForce ? 3e-4 : 1e-4;
+    const ScatteringImage image = scene.Render(mode);
+    for (int pixel = 0; pixel < 48 * 4; ++pixel)
+    {
+      const Ray ray = scene.PixelRay(pixel % 48, pixel / 48);
+      const auto placeAt = [&](double z)
+      { return ray.Origin.X + (z - ray.Origin.Z) / ray.Direction.Z * ray.Direction.X + 0.5 * columns; };
+      const double place = placeAt(top(0));
+      const auto column = static_cast<int>(std::floor(place));
+      const double below = placeAt(top(column));
+      const double least = std::min(place, below) - column;
+      const double most = std::max(place, below) - column;
+      if (column < 0 || column >= columns || least < 0.15 || most > 0.75)
+      {
+        continue; // next to a wall, or beside them all
+      }
+      const double expected = 0.6 * Irradiance / (4.0 * closedforms::Pi) * mu0 / (mu0 - ray.Direction.Z);
+      const auto index = static_cast<std::size_t>(pixel);
+      EXPECT_NEAR(image.InScattering[index] / expected, 1.0, 2.0 * image.RelativeError[index] + ofSteps)
+        << NameOf(mode) << ", sigma_t " << sigma << ", pixel " << pixel;
+      tried += 1;
+    }
+  }
+  EXPECT_EQ(tried, 5 * 64);
 }
 
 TEST(DenseMedia, ShadowsOfTheSizeOfAMeanFreePath)

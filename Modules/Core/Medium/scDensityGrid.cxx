@@ -84,6 +84,33 @@ inline double IntegrateInCell(const float* at, const std::array<std::size_t, 3>&
   return length * (value + length * length * (mixed.X * yz + mixed.Y * xz + mixed.Z * xy));
 }
 
+/// The trilinear function of a cell along a line from (u, v, w) of it, as a cubic.
+inline std::array<double, 4> CubicInCell(
+  const float* at, const std::array<std::size_t, 3>& strides, const Vector3& from, const Vector3& along)
+{
+  const float* const up = at + strides[2];
+  const std::size_t i = strides[0];
+  const std::size_t j = strides[1];
+  const double first = at[0];
+  const double x = at[i] - first;
+  const double y = at[j] - first;
+  const double z = up[0] - first;
+  const double xy = at[i + j] - first - x - y;
+  const double xz = up[i] - first - x - z;
+  const double yz = up[j] - first - y - z;
+  const double xyz = up[i + j] - first - x - y - z - xy - xz - yz;
+  const double u = from.X;
+  const double v = from.Y;
+  const double w = from.Z;
+  const double a = along.X;
+  const double b = along.Y;
+  const double c = along.Z;
+  return { { first + u * x + v * y + w * z + u * v * xy + u * w * xz + v * w * yz + u * v * w * xyz,
+    a * (x + v * xy + w * xz + v * w * xyz) + b * (y + u * xy + w * yz + u * w * xyz) +
+      c * (z + u * xz + v * yz + u * v * xyz),
+    a * b * (xy + w * xyz) + a * c * (xz + v * xyz) + b * c * (yz + u * xyz), a * b * c * xyz } };
+}
+
 /// The walk of a ray through the cells along one axis.
 struct CellWalk
 {
@@ -119,6 +146,28 @@ struct CellWalk
   }
 };
 
+/// Call visit(values of the cell, its place, begin, end) for each cell that a ray passes in the grid's index coordinates.
+template <class Visit>
+void ForEachCell(const DensityGrid& grid, const Vector3& from, const Vector3& along, double tBegin, double tEnd, Visit&& visit)
+{
+  CellWalk x(from.X, along.X, tBegin, tEnd, grid.Dimensions[0], grid.Strides[0]);
+  CellWalk y(from.Y, along.Y, tBegin, tEnd, grid.Dimensions[1], grid.Strides[1]);
+  CellWalk z(from.Z, along.Z, tBegin, tEnd, grid.Dimensions[2], grid.Strides[2]);
+  const float* at = grid.Values.data() + static_cast<std::size_t>(x.Cell) * grid.Strides[0] +
+    static_cast<std::size_t>(y.Cell) * grid.Strides[1] + static_cast<std::size_t>(z.Cell) * grid.Strides[2];
+  double t = tBegin;
+  for (auto cells = std::int64_t(1) + x.FacesLeft + y.FacesLeft + z.FacesLeft; cells > 0; --cells)
+  {
+    const double next = std::min(std::min(x.Next, y.Next), std::min(z.Next, tEnd));
+    visit(at, Vector3{ x.Cell, y.Cell, z.Cell }, t, next);
+    t = next;
+    const bool crossX = x.Next <= next;
+    const bool crossY = !crossX && y.Next <= next;
+    const bool crossZ = !crossX && !crossY && z.Next <= next;
+    at += x.Advance(crossX) + y.Advance(crossY) + z.Advance(crossZ);
+  }
+}
+
 } // namespace
 
 double DensityGrid::Integrate(const Vector3& origin, const Vector3& direction, double tBegin, double tEnd) const
@@ -133,27 +182,50 @@ double DensityGrid::Integrate(const Vector3& origin, const Vector3& direction, d
   {
     return (tEnd - tBegin) * this->ValueAt(from); // also over an infinite length
   }
-  CellWalk x(from.X, along.X, tBegin, tEnd, this->Dimensions[0], this->Strides[0]);
-  CellWalk y(from.Y, along.Y, tBegin, tEnd, this->Dimensions[1], this->Strides[1]);
-  CellWalk z(from.Z, along.Z, tBegin, tEnd, this->Dimensions[2], this->Strides[2]);
   // The second derivative along the ray is that of the mixed terms, twice: over 24, a twelfth.
   const Vector3 mixed = (1.0 / 12.0) * Vector3{ along.Y * along.Z, along.X * along.Z, along.X * along.Y };
-  const float* at = this->Values.data() + static_cast<std::size_t>(x.Cell) * this->Strides[0] +
-    static_cast<std::size_t>(y.Cell) * this->Strides[1] + static_cast<std::size_t>(z.Cell) * this->Strides[2];
   double sum = 0.0;
-  double t = tBegin;
-  for (auto cells = std::int64_t(1) + x.FacesLeft + y.FacesLeft + z.FacesLeft; cells > 0; --cells)
-  {
-    const double next = std::min(std::min(x.Next, y.Next), std::min(z.Next, tEnd));
-    const Vector3 middle = from + 0.5 * (t + next) * along;
-    sum += IntegrateInCell(at, this->Strides, middle.X - x.Cell, middle.Y - y.Cell, middle.Z - z.Cell, next - t, mixed);
-    t = next;
-    const bool crossX = x.Next <= next;
-    const bool crossY = !crossX && y.Next <= next;
-    const bool crossZ = !crossX && !crossY && z.Next <= next;
-    at += x.Advance(crossX) + y.Advance(crossY) + z.Advance(crossZ);
-  }
+  ForEachCell(*this, from, along, tBegin, tEnd,
+    [&](const float* at, const Vector3& cell, double begin, double end)
+    {
+      const Vector3 middle = from + 0.5 * (begin + end) * along - cell;
+      sum += IntegrateInCell(at, this->Strides, middle.X, middle.Y, middle.Z, end - begin, mixed);
+    });
   return sum;
+}
+
+void DensityGrid::Tabulate(const Vector3& origin, const Vector3& direction, double tBegin, double tEnd,
+  std::vector<DensityStretch>& stretches) const
+{
+  stretches.clear();
+  const Vector3 from = this->IndexPoint(origin);
+  const Vector3 along = this->IndexDirection(direction);
+  if (this->Support.Empty() || !this->Support.Clip(from, along, tBegin, tEnd))
+  {
+    stretches.emplace_back();
+    return;
+  }
+  double depth = 0.0;
+  const auto add = [&](const std::array<double, 4>& cubic, double begin, double end)
+  {
+    const bool none = cubic == std::array<double, 4>{ { 0.0, 0.0, 0.0, 0.0 } };
+    if (!(end > begin) || (none && !stretches.empty() && stretches.back().Cubic == cubic))
+    {
+      return;
+    }
+    stretches.push_back({ begin, depth, cubic });
+    depth = none ? depth : std::max(depth, stretches.back().DepthAfter(end - begin));
+  };
+  if (along.X == 0.0 && along.Y == 0.0 && along.Z == 0.0)
+  {
+    add({ { this->ValueAt(from), 0.0, 0.0, 0.0 } }, tBegin, tEnd); // also over an infinite length
+  }
+  else
+  {
+    ForEachCell(*this, from, along, tBegin, tEnd, [&](const float* at, const Vector3& cell, double begin, double end)
+      { add(CubicInCell(at, this->Strides, from + begin * along - cell, along), begin, end); });
+  }
+  stretches.push_back({ tEnd, depth, {} });
 }
 
 bool IsConstantIn(const DensityGrid& grid, const Box& box, double& value)

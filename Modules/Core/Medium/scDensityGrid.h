@@ -19,6 +19,24 @@
 namespace shadowcones
 {
 
+/// The density along a part of a ray that lies in one cell, where it is a cubic.
+struct DensityStretch
+{
+  double Begin = 0.0;                        ///< t of the ray
+  double OpticalDepth = 0.0;                 ///< up to there
+  std::array<double, 4> Cubic{ { 0.0, 0.0, 0.0, 0.0 } }; ///< times powers of the length from there on
+
+  double DensityAfter(double s) const
+  {
+    return this->Cubic[0] + s * (this->Cubic[1] + s * (this->Cubic[2] + s * this->Cubic[3]));
+  }
+  double DepthAfter(double s) const
+  {
+    return this->OpticalDepth +
+      s * (this->Cubic[0] + s * (0.5 * this->Cubic[1] + s * (this->Cubic[2] / 3.0 + s * 0.25 * this->Cubic[3])));
+  }
+};
+
 /**
  * Density relative to SigmaS and SigmaA of the medium: trilinear between grid points, 0 outside the grid. An axis with a
  * single point is no limit: the density is constant along it.
@@ -54,6 +72,12 @@ struct DensityGrid
   /// Integral of the density along the ray from @p tBegin to @p tEnd: exact, cell by cell.
   SHADOWCONESCORE_EXPORT double Integrate(
     const Vector3& origin, const Vector3& direction, double tBegin, double tEnd) const;
+  /**
+   * The same as a table of the ray's part where the density is not 0, ascending: places without any are one stretch. The last
+   * has no length and holds the whole depth; it is the only one where the ray meets no density.
+   */
+  SHADOWCONESCORE_EXPORT void Tabulate(const Vector3& origin, const Vector3& direction, double tBegin, double tEnd,
+    std::vector<DensityStretch>& stretches) const;
 };
 
 /// Check a grid and fill what is computed once. @return nullptr, or a sentence that says what is wrong.

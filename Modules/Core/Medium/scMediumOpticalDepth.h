@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace shadowcones
@@ -73,7 +74,7 @@ public:
       this->Density ? this->LookUpDistance(opticalDepth, low, high) : this->TBegin + opticalDepth, low, high);
   }
 
-  /// The slope of Along(), which is the density between the entries of the ray's table; 1 in a homogeneous medium.
+  /// The density on the camera ray, which is the slope of Along(); 1 in a homogeneous medium.
   double DensityAlong(double t) const { return this->Density ? this->LookUpDensity(t) : 1.0; }
 
   /// From a point inside the bounds up to @p distance, which may be infinite: the part inside the bounds.
@@ -100,74 +101,51 @@ public:
 private:
   SHADOWCONESCORE_EXPORT void Tabulate(const Vector3& origin, const Vector3& direction, double tBegin, double tEnd);
 
-  /// The density is linear between the entries of the table.
+  /// The stretch that has a place between the ends of the table.
+  std::size_t StretchAt(double t) const
+  {
+    const auto step = static_cast<std::size_t>((t - this->TableBegin) * this->StepsPerLength);
+    std::size_t k = this->FirstOfStep[std::min(step, this->FirstOfStep.size() - 1)];
+    while (k + 2 < this->Stretches.size() && this->Stretches[k + 1].Begin <= t)
+    {
+      ++k;
+    }
+    return k;
+  }
+
   double LookUp(double t) const
   {
-    const std::size_t last = this->Table.size() - 1;
-    const double step = std::max((t - this->TableBegin) * this->StepsPerLength, 0.0);
-    if (!(step < static_cast<double>(last)))
-    {
-      return this->Table[last].OpticalDepth;
-    }
-    const auto k = static_cast<std::size_t>(step);
-    const double u = step - static_cast<double>(k);
-    const Entry& a = this->Table[k];
-    const Entry& b = this->Table[k + 1];
-    return a.OpticalDepth + u / this->StepsPerLength * (a.Density + 0.5 * u * (b.Density - a.Density));
-  }
-
-  double LookUpDistance(double depth, double low, double high) const
-  {
-    const std::size_t last = this->Table.size() - 1;
-    if (last == 0)
-    {
-      return low;
-    }
-    const auto entryAt = [&](double t)
-    {
-      const double step = std::max((t - this->TableBegin) * this->StepsPerLength, 0.0);
-      return step < static_cast<double>(last - 1) ? static_cast<std::size_t>(step) : last - 1;
-    };
-    std::size_t k = entryAt(low);
-    for (std::size_t to = entryAt(high); k < to;)
-    {
-      const std::size_t between = (k + to + 1) / 2;
-      this->Table[between].OpticalDepth <= depth ? k = between : to = between - 1;
-    }
-    // Within an entry the depth is a quadratic.
-    const Entry& a = this->Table[k];
-    const double rest = std::max((depth - a.OpticalDepth) * this->StepsPerLength, 0.0);
-    const double rise = this->Table[k + 1].Density - a.Density;
-    const double root = std::sqrt(std::max(a.Density * a.Density + 2.0 * rest * rise, 0.0));
-    const double u = a.Density + root > 0.0 ? 2.0 * rest / (a.Density + root) : 0.0;
-    return this->TableBegin + (static_cast<double>(k) + u) / this->StepsPerLength;
-  }
-
-  double LookUpDensity(double t) const
-  {
-    const std::size_t last = this->Table.size() - 1;
-    const double step = (t - this->TableBegin) * this->StepsPerLength;
-    if (last == 0 || step < 0.0 || !(step < static_cast<double>(last)))
+    if (!(t > this->TableBegin))
     {
       return 0.0;
     }
-    const auto k = static_cast<std::size_t>(step);
-    return this->Table[k].Density +
-      (step - static_cast<double>(k)) * (this->Table[k + 1].Density - this->Table[k].Density);
+    if (!(t < this->Stretches.back().Begin))
+    {
+      return this->Stretches.back().OpticalDepth;
+    }
+    const DensityStretch& stretch = this->Stretches[this->StretchAt(t)];
+    return stretch.DepthAfter(t - stretch.Begin);
   }
 
-  struct Entry
+  SHADOWCONESCORE_EXPORT double LookUpDistance(double depth, double low, double high) const;
+
+  double LookUpDensity(double t) const
   {
-    double OpticalDepth = 0.0;
-    double Density = 0.0;
-  };
+    if (!(t >= this->TableBegin && t < this->Stretches.back().Begin))
+    {
+      return 0.0;
+    }
+    const DensityStretch& stretch = this->Stretches[this->StretchAt(t)];
+    return std::max(stretch.DensityAfter(t - stretch.Begin), 0.0);
+  }
 
   const Box& Bounds;
   const DensityGrid* Density;
   double TBegin = 0.0;
-  std::vector<Entry> Table{ Entry() }; ///< of the camera ray's part where the density is not 0, in regular steps
+  std::vector<DensityStretch> Stretches{ DensityStretch() }; ///< of the camera ray's part where the density is not 0
   double TableBegin = 0.0;
   double StepsPerLength = 0.0;
+  std::vector<std::uint32_t> FirstOfStep{ 0 }; ///< the stretch in which each of some equal steps of the ray begins
 };
 
 } // namespace shadowcones

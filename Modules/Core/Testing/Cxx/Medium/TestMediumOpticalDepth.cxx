@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 
 using namespace shadowcones;
 
@@ -104,4 +105,38 @@ TEST(MediumOpticalDepth, BoundsCutTheImage)
   const MediumOpticalDepth depth(medium);
   EXPECT_NEAR(depth.Towards({ 0.25, 0.5, 0.5 }, { 1.0, 0.0, 0.0 }, HUGE_VAL), 0.75, 1e-12);
   EXPECT_NEAR(depth.TowardsFromOutside({ -5.0, 0.5, 0.5 }, { 1.0, 0.0, 0.0 }, HUGE_VAL), 1.0, 1e-12);
+}
+
+TEST(MediumOpticalDepth, TheTableOfARayIsItsIntegral)
+{
+  // Voxels of ink beside empty ones: cubics that begin within cells.
+  std::uint32_t state = 5;
+  const DensityGrid grid = SampleDensity({ { 5, 6, 4 } }, { -1.0, -1.0, -1.0 }, UnitAxes({ 0.5, 0.4, 0.7 }),
+    [&state](const Vector3&)
+    {
+      state = state * 1664525u + 1013904223u;
+      return state >> 30 == 0 ? 1e9 : 0.0;
+    });
+  const Medium medium = MediumInside({ -1.5, -1.5, -1.5 }, { 2.0, 2.0, 2.0 }, &grid);
+  MediumOpticalDepth depth(medium);
+  for (int k = 0; k < 40; ++k)
+  {
+    const Vector3 direction =
+      k == 0 ? Vector3{ 0.0, 0.0, 1.0 } : Normalized({ std::cos(1.7 * k), std::sin(2.9 * k), std::cos(0.3 * k * k) });
+    const Vector3 origin = Vector3{ 0.05 * (k % 7), 0.1, -0.1 } - 9.0 * direction;
+    double begin = 0.0;
+    double end = HUGE_VAL;
+    ASSERT_TRUE(medium.Bounds.Clip(origin, direction, begin, end));
+    depth.SetRay(origin, direction, begin, end);
+    const double whole = depth.Along(end);
+    for (int part = 0; part <= 100; ++part)
+    {
+      const double t = begin + 0.01 * part * (end - begin);
+      const double expected = grid.Integrate(origin, direction, begin, t);
+      EXPECT_NEAR(depth.Along(t), expected, 1e-12 * whole + 1e-9 * expected) << k << " " << t;
+      const double found = depth.DistanceAt(0.01 * part * whole, begin, end);
+      EXPECT_NEAR(depth.Along(found), 0.01 * part * whole, 1e-10 * whole) << k << " " << part;
+      EXPECT_NEAR(depth.DensityAlong(t), depth.DensityAt(origin + t * direction), 1e-3) << k << " " << t;
+    }
+  }
 }
