@@ -385,7 +385,7 @@ bool ReadGivenMesh(vtkDataObject* input, GivenMesh& given, std::string& error)
     if (!CheckAttributes(block.Data->GetPointData(), block.Data->GetNumberOfPoints(), "point", error) ||
       !CheckAttributes(block.Data->GetCellData(), block.Data->GetNumberOfCells(), "cell", error))
     {
-      error = given.Mesh.Blocks.size() > 1 ? "Block " + block.Label() + ": " + error : error;
+      error.insert(0, given.Mesh.Blocks.size() > 1 ? "Block " + block.Label() + ": " : "");
       return false;
     }
     CountCells(block.Data, given);
@@ -425,7 +425,7 @@ bool LabelByArray(const std::string& name, GivenMesh& given, std::string& error)
          data->GetCellData(), "mesh", name.c_str(), 1, data->GetNumberOfCells(), Need::Required, array, error) ||
         !ReadGivenIds(array, "cell", ids[b], error)))
     {
-      error = "LabelBy is Array: " + error;
+      error.insert(0, "LabelBy is Array: ");
       return false;
     }
   }

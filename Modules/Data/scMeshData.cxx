@@ -278,7 +278,7 @@ bool ReadBlocks(bool composite, OccluderReader* occluders, TriangleMesh& mesh, s
   {
     if (!ReadBlock(block, occluders, mesh, error))
     {
-      error = composite ? "Block " + block.Label() + ": " + error : error;
+      error.insert(0, composite ? "Block " + block.Label() + ": " : "");
       return false;
     }
   }

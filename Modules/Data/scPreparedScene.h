@@ -134,7 +134,7 @@ public:
     {
       return std::static_pointer_cast<const Item>(found);
     }
-    const std::shared_ptr<const Item> made = make();
+    std::shared_ptr<const Item> made = make();
     if (made)
     {
       this->Builds += 1;

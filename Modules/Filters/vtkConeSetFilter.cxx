@@ -197,7 +197,7 @@ ConeSetOptions vtkConeSetFilter::Options() const
 
 std::string vtkConeSetFilter::CheckRequest(bool hasPaths) const
 {
-  const std::string fault =
+  std::string fault =
     FirstOutOfRange({ OneOf("Tuning", this->Tuning, { "Manual", "Conservative", "Preview", "Soft", "Automatic" }) });
   if (!fault.empty())
   {

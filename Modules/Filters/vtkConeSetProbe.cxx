@@ -128,7 +128,7 @@ int vtkConeSetProbe::RequestUpdateExtent(
 
 std::string vtkConeSetProbe::CheckRequest(vtkDataObject* cones, bool hasLight, vtkDataObject* mesh) const
 {
-  const std::string fault = FirstOutOfRange({ OneOf("Method", this->Method, { "Exact", "Soft" }),
+  std::string fault = FirstOutOfRange({ OneOf("Method", this->Method, { "Exact", "Soft" }),
     OneOf("Association", this->Association, { "Points", "Cells" }),
     InRange("NumberOfLightSamples", this->NumberOfLightSamples, 1, mostLightSamples) });
   if (!fault.empty())

@@ -28,6 +28,7 @@ void PreferLargePages(void* memory, std::size_t bytes)
     const auto smallPage = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
     const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(memory) / smallPage * smallPage;
     const std::uintptr_t end = (reinterpret_cast<std::uintptr_t>(memory) + bytes + smallPage - 1) / smallPage * smallPage;
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the number of a page
     madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
   }
 #else

@@ -85,7 +85,7 @@ private:
   /// One a thread.
   std::shared_ptr<MediumTerm> AddTerm()
   {
-    const auto term = std::make_shared<MediumTerm>(this->Context, this->Shared, this->Hits, this->Image);
+    auto term = std::make_shared<MediumTerm>(this->Context, this->Shared, this->Hits, this->Image);
     if (this->Looked)
     {
       term->AskNeighbours(*this->Looked);

@@ -45,7 +45,7 @@ int SideOf(std::size_t triangles, int level)
       continue;
     }
     const double wanted = std::sqrt(static_cast<double>(fewestPoints << k) / static_cast<double>(triangles));
-    side = std::max(side + 1, static_cast<int>(wanted + 0.5));
+    side = std::max(side + 1, static_cast<int>(std::lround(wanted)));
   }
   return side;
 }

@@ -196,7 +196,7 @@ inline void SetRay(RTCRay& ray, const OccluderCell& cell, const Vector3& origin,
 /// Embree stops the program at a ray that is not a number. Differences are quicker than six questions.
 inline bool IsFiniteRay(const Vector3& origin, const Vector3& direction)
 {
-  const Vector3 none = (origin - origin) + (direction - direction);
+  const Vector3 none = (origin - origin) + (direction - direction); // NOLINT(misc-redundant-expression)
   return none.X + none.Y + none.Z == 0.0;
 }
 

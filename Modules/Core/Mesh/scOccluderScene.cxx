@@ -202,7 +202,7 @@ bool OccluderScene::Implementation::TraceCell(
   rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rayHit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   TraceNearest(built.Scene, query, rayHit);
-  if (rayHit.hit.geomID != RTC_INVALID_GEOMETRY_ID)
+  if (best && rayHit.hit.geomID != RTC_INVALID_GEOMETRY_ID)
   {
     const RayHit hit = HitOf(this->Mesh, built.TriangleOf(rayHit.hit.geomID, rayHit.hit.primID), origin, direction);
     *best = best->Triangle < 0 || hit.T < best->T ? hit : *best;

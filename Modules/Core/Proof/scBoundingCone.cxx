@@ -92,7 +92,7 @@ Circle CircleAround(const std::vector<Circle>& circles)
   }
   Circle best = at;
   best.Radius = HUGE_VAL;
-  const Circle* farthest = nullptr;
+  const Circle* farthest = outermost.data();
   for (int k = 1; k <= 32; ++k)
   {
     const double reach = ReachFrom(at.X, at.Y, outermost, farthest);

@@ -205,7 +205,7 @@ void VisibilityGridFiller::SplitPart(const BrickPart& part, int step, int smalle
   ForEachPoint(part.Corner, step - smaller, smaller,
     [&](int a0, int b0, int c0)
     {
-      float corners[8];
+      float corners[8] = {};
       float* corner = corners;
       ForEachPoint({ a0, b0, c0 }, smaller, smaller,
         [&](int a, int b, int c) { *corner++ = this->BrickValue(part.Brick, a, b, c); });
