@@ -21,9 +21,11 @@ matrix="$root/build-matrix"
 try_release()
 {
   make_system "$matrix/$1" "$1"
-  rm -rf "$matrix/$1/ShadowCones/Modules" "$matrix/$1/ShadowCones/Testing"
-  copy_tree "$matrix/$1/ShadowCones"
-  in_system "$matrix/$1" sh /ShadowCones/Utilities/test.sh
+  # Not below /: the tests look for the tree's place in what they install.
+  place=home/ShadowCones
+  rm -rf "$matrix/$1/$place/Modules" "$matrix/$1/$place/Testing"
+  copy_tree "$matrix/$1/$place"
+  in_system "$matrix/$1" sh "/$place/Utilities/test.sh"
 }
 
 # The other compiler: the same tests, and the same bytes or a line about each difference.

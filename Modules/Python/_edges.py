@@ -76,7 +76,7 @@ class Footprints:
         for cell in np.flatnonzero(classes == 2) if umbra else range(len(classes)):
             p = points[corners[offsets[cell]:offsets[cell + 1]]]
             total += 0.5 * np.linalg.norm(np.cross(p[1:-1] - p[0], p[2:] - p[0]).sum(axis=0))
-        return total
+        return float(total)
 
     def save(self, path):
         """Write the outlines: geojson for maps, vtp, stl, ply or obj, by the path's extension.

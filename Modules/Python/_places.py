@@ -51,4 +51,6 @@ class Places:
             return result
         attributes = output.GetCellData() if cells else output.GetPointData()
         values = vtk_to_numpy(attributes.GetArray(name))
-        return values[0] if self.single else values
+        if not self.single:
+            return values
+        return values[0].item() if values.ndim == 1 else values[0]  # a plain number, or one of each light

@@ -323,10 +323,20 @@ bool DoesCallerWait()
   return backend && std::strcmp(backend, "STDThread") == 0;
 }
 
+/// Does this thread run the body of a loop?
+thread_local bool isInLoop = false;
+
 template <typename Loop>
 void RunOnThreads(Loop& loop, int threads)
 {
-  vtkSMPTools::For(0, threads, 1, [&loop](vtkIdType, vtkIdType) { loop.Work(); });
+  vtkSMPTools::For(0, threads, 1,
+    [&loop](vtkIdType, vtkIdType)
+    {
+      const bool before = isInLoop;
+      isInLoop = true;
+      loop.Work();
+      isInLoop = before;
+    });
 }
 
 /// The loop runs elsewhere while the calling thread serves the monitor.
@@ -372,8 +382,10 @@ bool Run(Loop& loop, int threads, const Monitor& monitor)
   {
     loop.Work();
   }
-  else if ((monitor.Progress || monitor.Aborted) && DoesCallerWait())
+  else if ((monitor.Progress || monitor.Aborted) && DoesCallerWait() && !isInLoop)
   {
+    // Not within a loop: from another thread VTK does not know the loop as a part of it, and since 9.2 would wait for threads
+    // that wait for this one.
     ServeWhileOthersWork(loop, threads);
   }
   else
