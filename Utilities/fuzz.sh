@@ -6,13 +6,14 @@
 #   --runs     executions of each harness
 #   --total    executions of each harness, those of all runs before counted too: a harness that has as many is left out
 #   --jobs     harnesses side by side; 1 by default
-# Harnesses: words options field-data light mesh chain vectors cone-set volume density fog (Testing/Fuzz).
+# Harnesses, all by default: words options field-data light mesh chain vectors cone-set volume density fog (Testing/Fuzz).
 # How often each has been executed in all runs is kept in build-fuzz/executions, also where a run is ended by a signal.
 # Inputs that broke something lie in build-fuzz/found; mend it, and add them with Testing/Fuzz/corpus.py.
 set -eu
 . "$(dirname "$0")/setup.sh"
 
 counts="$root/build-fuzz/executions"
+every="words options field-data light mesh chain vectors cone-set volume density fog"
 
 # What a log says that was executed: its last line, or the last of those in between where the program had no time for it.
 executions_of()
@@ -122,7 +123,8 @@ if [ -z "$SECONDS_EACH" ]; then
   fi
 fi
 export SECONDS_EACH RUNS TOTAL
-[ $# -gt 0 ] || set -- words options field-data light mesh chain vectors cone-set volume density fog
+# shellcheck disable=SC2086
+[ $# -gt 0 ] || set -- $every
 
 install_packages build fuzz
 cd "$root"
@@ -135,7 +137,7 @@ mkdir -p build-fuzz/found "$counts"
 python3 Testing/Fuzz/corpus.py unpack build-fuzz/seeds
 lost=0
 printf '%s\n' "$@" | xargs -P "$jobs" -n 1 sh Utilities/fuzz.sh --alone || lost=1
-for harness in words options field-data light mesh chain vectors cone-set volume density fog; do
+for harness in $every; do
   printf '%s %s\n' "$harness" "$(kept_of "$harness")"
 done | awk '{ if ($1 ~ /words|options|field-data/) parsers += $2; else filters += $2 }
   END { printf "executions in all runs: parsers %.0f, filters %.0f\n", parsers, filters }'

@@ -4,6 +4,7 @@
 #include "scFieldArrays.h"
 #include "scGhosts.h"
 #include "scSentence.h"
+#include "scShadowClass.h"
 #include "scTuples.h"
 
 #include "vtkDataSet.h"
@@ -75,7 +76,7 @@ bool ReadShadowClasses(vtkDataSet* input, const std::vector<vtkIdType>& items, i
     for (const vtkIdType k : items)
     {
       const double value = classes->GetComponent(k, light);
-      if (value != 0.0 && value != 1.0 && value != 2.0)
+      if (!IsShadowClass(value))
       {
         error = "The point array \"ShadowClass\" on input port 0 holds a value that is not 0, 1 or 2 at point " +
           std::to_string(k) + ".";

@@ -4,6 +4,7 @@
 #include "scCellPoints.h"
 #include "scFieldArrays.h"
 #include "scSentence.h"
+#include "scShadowClass.h"
 #include "scTuples.h"
 
 #include "vtkCellArray.h"
@@ -134,13 +135,13 @@ bool ReadOutlines(vtkPolyData* input, std::vector<OutlineRing>& outlines, std::s
   for (lines->InitTraversal(); lines->GetNextCell(ids); ++cell)
   {
     OutlineRing ring;
-    ring.ShadowClass = classes ? WholeOf<int>(classes->GetComponent(cell, 0)) : ring.ShadowClass;
-    if (ring.ShadowClass < 0 || ring.ShadowClass > 2)
+    const double shadow = classes ? classes->GetComponent(cell, 0) : ring.ShadowClass;
+    if (!IsShadowClass(shadow))
     {
-      error = Sentence("\"ShadowClass\" of the outlines is ", classes->GetComponent(cell, 0), " in cell ", cell,
-        ": it must be 0, 1 or 2.");
+      error = Sentence("\"ShadowClass\" of the outlines is ", shadow, " in cell ", cell, ": it must be 0, 1 or 2.");
       return false;
     }
+    ring.ShadowClass = static_cast<int>(shadow);
     ring.OccluderId = occluders ? WholeOf<int>(occluders->GetComponent(cell, 0)) : ring.OccluderId;
     ring.LightId = lights ? WholeOf<int>(lights->GetComponent(cell, 0)) : ring.LightId;
     const vtkIdType count = ids->GetNumberOfIds();

@@ -6,6 +6,7 @@
 #include "scParallel.h"
 #include "scProbePoints.h"
 #include "scSentence.h"
+#include "scShadowClass.h"
 #include "scTuples.h"
 
 #include "vtkDataArray.h"
@@ -89,22 +90,22 @@ bool ReadPlacement(vtkImageData* input, VisibilityGrid& grid, std::string& error
   return true;
 }
 
-bool IsShadowClass(double value)
+/// The class of a point of which only the visible fraction is known, as a number.
+double ClassOf(double visibility)
 {
-  return value == 0.0 || value == 1.0 || value == 2.0;
+  return static_cast<double>(
+    visibility == 1.0 ? ShadowClass::Lit : (visibility == 0.0 ? ShadowClass::Umbra : ShadowClass::Penumbra));
 }
 
-/// @param shadow its class; null: as the value says. @return false where the value or the class is out of range.
-bool SetValue(std::size_t id, double value, const double* shadow, bool marked, VisibilityGrid& grid)
+/// @return false where the value or its class is out of range.
+bool SetValue(std::size_t id, double value, double shadow, bool marked, VisibilityGrid& grid)
 {
-  if (!(value >= 0.0 && value <= 1.0) || (shadow && !IsShadowClass(*shadow)))
+  if (!(value >= 0.0 && value <= 1.0) || !IsShadowClass(shadow))
   {
     return false;
   }
-  const ShadowClass byValue =
-    value == 1.0 ? ShadowClass::Lit : (value == 0.0 ? ShadowClass::Umbra : ShadowClass::Penumbra);
   grid.Visibility[id] = static_cast<float>(value);
-  grid.ShadowClasses[id] = shadow ? static_cast<unsigned char>(*shadow) : static_cast<unsigned char>(byValue);
+  grid.ShadowClasses[id] = static_cast<unsigned char>(shadow);
   grid.Marked[id] = value < 1.0 || marked ? 1 : 0;
   return true;
 }
@@ -122,8 +123,8 @@ vtkIdType CopyValues(const float* values, const unsigned char* classes, const un
       for (vtkIdType i = begin; i < end; ++i)
       {
         const vtkIdType at = i * lights + light;
-        const double shadow = classes ? static_cast<double>(classes[at]) : 0.0;
-        if (!SetValue(static_cast<std::size_t>(i), static_cast<double>(values[at]), classes ? &shadow : nullptr,
+        const auto value = static_cast<double>(values[at]);
+        if (!SetValue(static_cast<std::size_t>(i), value, classes ? static_cast<double>(classes[at]) : ClassOf(value),
               marked && marked[i] != 0, grid))
         {
           vtkIdType known = firstBad;
@@ -172,8 +173,7 @@ bool ReadValues(vtkImageData* input, int light, int lights, VisibilityGrid& grid
     for (vtkIdType i = 0; i < count && bad < 0; ++i)
     {
       const double value = visibility->GetComponent(i, light);
-      const double shadow = classes ? classes->GetComponent(i, light) : 0.0;
-      bad = SetValue(static_cast<std::size_t>(i), value, classes ? &shadow : nullptr,
+      bad = SetValue(static_cast<std::size_t>(i), value, classes ? classes->GetComponent(i, light) : ClassOf(value),
               marked && marked->GetComponent(i, 0) != 0.0, grid)
         ? -1
         : i;

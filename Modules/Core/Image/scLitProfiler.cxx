@@ -265,14 +265,17 @@ void LitProfiler::FindRoughPanels()
 void LitProfiler::AddPlace(
   const Ray& ray, double t, double coordinate, double factor, const LitLevel& level, double* value)
 {
-  const double place = coordinate / cells * this->TablePanels;
-  const int panel = std::clamp(static_cast<int>(place), 0, std::max(this->TablePanels - 1, 0));
-  if (this->TablePanels == 0 || this->RoughPanels[static_cast<std::size_t>(panel)] != 0)
+  if (this->TablePanels > 0)
   {
-    this->AddNode(ray, t, this->OpticalDepth.Along(t), factor, level, value);
-    return;
+    const double place = coordinate / cells * this->TablePanels;
+    const int panel = std::clamp(static_cast<int>(place), 0, this->TablePanels - 1);
+    if (this->RoughPanels[static_cast<std::size_t>(panel)] == 0)
+    {
+      this->AddFromTable(ray, t, panel, place - panel, factor, value);
+      return;
+    }
   }
-  this->AddFromTable(ray, t, panel, place - panel, factor, value);
+  this->AddNode(ray, t, this->OpticalDepth.Along(t), factor, level, value);
 }
 
 void LitProfiler::AddFromTable(const Ray& ray, double t, int panel, double x, double factor, double* value) const

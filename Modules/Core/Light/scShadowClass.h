@@ -17,6 +17,12 @@ enum class ShadowClass : unsigned char
   Umbra = 2
 };
 
+/// Is this one of them, as a number of an array of any type?
+inline bool IsShadowClass(double value)
+{
+  return value == 0.0 || value == 1.0 || value == 2.0;
+}
+
 /// Samples of a light that emit towards a point, and how many of these are seen: the one rule for fraction and class.
 struct SeenSamples
 {
