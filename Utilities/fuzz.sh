@@ -7,7 +7,8 @@
 #   --total    executions of each harness, those of all runs before counted too: a harness that has as many is left out
 #   --jobs     harnesses side by side; 1 by default
 # Harnesses, all by default: words options field-data light mesh chain vectors cone-set volume density fog (Testing/Fuzz).
-# How often each has been executed in all runs is kept in build-fuzz/executions, also where a run is ended by a signal.
+# How often each has been executed in all runs is kept in build-fuzz/executions, also where a run is ended by a signal. A new build
+# goes on from Testing/Fuzz/executions.txt; build-fuzz/executions.txt takes its place where counts are to be handed on.
 # Inputs that broke something lie in build-fuzz/found; mend it, and add them with Testing/Fuzz/corpus.py.
 set -eu
 . "$(dirname "$0")/setup.sh"
@@ -26,7 +27,8 @@ executions_of()
 
 kept_of()
 {
-  cat "$counts/$1" 2>/dev/null || printf 0
+  kept=$(cat "$counts/$1" 2>/dev/null || true)
+  printf '%s' "${kept:-0}"
 }
 
 # Add what the log of a harness says to what is kept of it, once: the log is another's from then on.
@@ -134,12 +136,19 @@ fi
 cmake --build --preset fuzz -j "$(nproc)" || fail "building failed; the reason stands above"
 
 mkdir -p build-fuzz/found "$counts"
+for harness in $every; do
+  [ -e "$counts/$harness" ] || sed -n "s/^$harness //p" Testing/Fuzz/executions.txt >"$counts/$harness"
+done
 python3 Testing/Fuzz/corpus.py unpack build-fuzz/seeds
 lost=0
 printf '%s\n' "$@" | xargs -P "$jobs" -n 1 sh Utilities/fuzz.sh --alone || lost=1
-for harness in $every; do
-  printf '%s %s\n' "$harness" "$(kept_of "$harness")"
-done | awk '{ if ($1 ~ /words|options|field-data/) parsers += $2; else filters += $2 }
-  END { printf "executions in all runs: parsers %.0f, filters %.0f\n", parsers, filters }'
+{
+  sed -n '/^#/p' Testing/Fuzz/executions.txt
+  for harness in $every; do
+    printf '%s %s\n' "$harness" "$(kept_of "$harness")"
+  done
+} >build-fuzz/executions.txt
+awk '!/^#/ { if ($1 ~ /words|options|field-data/) parsers += $2; else filters += $2 }
+  END { printf "executions in all runs: parsers %.0f, filters %.0f\n", parsers, filters }' build-fuzz/executions.txt
 [ "$lost" -eq 0 ] || fail "something was lost; what, stands above"
 printf 'lost: 0\n'

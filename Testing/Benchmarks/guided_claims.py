@@ -13,9 +13,9 @@ import sys
 import time
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter, vtkTubeFilter
@@ -180,6 +180,22 @@ def parts_of(options):
         yield (first[0], first[0] + options.part - 1, first[1], first[1] + options.part - 1, 0, 0)
 
 
+def put_ink(image, depth):
+    """Points of any density, 16 a side, whose cells are so deep in the mean: the hardest that a polynomial can be asked to follow."""
+    low, high = np.array(scenes.MEDIUM_BOUNDS).reshape(3, 2).T
+    spacing = (high - low) / 15.0
+    ink = vtkImageData()
+    ink.SetDimensions(16, 16, 16)
+    ink.SetOrigin(*low)
+    ink.SetSpacing(*spacing)
+    density = numpy_to_vtk(np.random.default_rng(7).uniform(0.0, 2.0, 16**3), deep=1)
+    density.SetName("Density")
+    ink.GetPointData().AddArray(density)
+    image.SetDensityData(ink)
+    image.SetSigmaS(0.5 * depth / spacing.mean())
+    image.SetSigmaA(0.5 * depth / spacing.mean())
+
+
 def image_of(mesh, light, options, seed, goal, samples):
     """Values, relative errors that are claimed, samples a pixel, and seconds of the processor."""
     camera = vtkCamera()
@@ -198,13 +214,23 @@ def image_of(mesh, light, options, seed, goal, samples):
     image.LightVisibleOff()
     image.SetSeed(seed)
     image.AutoExposureOff()
+    if options.depth > 0.0:
+        put_ink(image, options.depth)
+    if options.depth > 0.0 and goal == 0.0:
+        # No polynomials through the ink, as Guided has them.
+        image.SetModeToBruteForce()
+        image.SetNumberOfSteps(4000)
+        image.SetNumberOfLightSamples(256)
     start = time.process_time()
     found = []
     for extent in parts_of(options) if options.part else [None]:
         image.UpdateExtent(extent) if extent else image.Update()
         points = image.GetOutput().GetPointData()
-        arrays = [vtk_to_numpy(points.GetArray(name)).astype(float) for name in ("InScattering", "RelativeError", "SampleCount")]
-        arrays[0] = arrays[0].reshape(len(arrays[1]), -1).mean(axis=1)
+        value = vtk_to_numpy(points.GetArray("InScattering")).astype(float)
+        arrays = [value.reshape(points.GetNumberOfTuples(), -1).mean(axis=1)]
+        for name in ("RelativeError", "SampleCount"):
+            array = points.GetArray(name)
+            arrays.append(vtk_to_numpy(array).astype(float) if array else np.zeros(len(arrays[0])))
         found.append(arrays)
     return (*(np.concatenate(each) for each in zip(*found)), time.process_time() - start)
 
@@ -233,6 +259,8 @@ def main():
     parser.add_argument("--size", type=int, default=96, help="of the image in pixels (default: 96)")
     parser.add_argument("--part", type=int, default=0, help="judge squares of so many pixels a side alone (default: the image)")
     parser.add_argument("--parts", type=int, default=8, help="so many of them (default: 8)")
+    parser.add_argument("--depth", type=float, default=0.0,
+                        help="in rough ink whose cells have this optical depth, against BruteForce: a second a pixel (default: even fog)")
     parser.add_argument("--goal", type=float, nargs="+", default=[0.01], help="RelativeErrorGoal (default: 0.01)")
     options = parser.parse_args()
     print("                                         error/claim of all              in shadow")
@@ -249,7 +277,7 @@ def main():
             value, claim, samples, seconds = image_of(occluders, light, options, 1, goal, 1024)
             seen = (truth > 0.0) & (value > 0.0)
             shadow = (truth < 0.999 * lit)[seen]
-            ratio = ((value - truth) / np.hypot(claim * value, noise * truth))[seen]
+            ratio = (value - truth)[seen] / np.hypot(claim * value, noise * truth)[seen]
             error = np.sqrt(((value - truth)[seen] ** 2).mean()) / truth[seen].mean()
             print(f"{name:7} {goal:5g} {samples.mean():8.1f} {seconds:7.2f} {error:9.5f}{judged(ratio)}"
                   f" {100.0 * shadow.mean():5.1f} %{judged(ratio[shadow])}", flush=True)

@@ -6,7 +6,7 @@ import posixpath
 import re
 import sourcetree
 
-ALLOWED = {"vtkSMPTools.h", "vtkType.h"}
+ALLOWED = {"vtkSMPTools.h", "vtkType.h", "vtkVersionMacros.h"}
 SUPPORT = "Testing/Support/"
 
 

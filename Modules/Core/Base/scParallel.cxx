@@ -5,6 +5,7 @@
 #include "scLoopRecorder.h"
 
 #include "vtkSMPTools.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <atomic>
@@ -323,8 +324,18 @@ bool DoesCallerWait()
   return backend && std::strcmp(backend, "STDThread") == 0;
 }
 
-/// Does this thread run the body of a loop?
+/// Does this thread run the body of a loop of ours?
 thread_local bool isInLoop = false;
+
+/// Does this thread run the body of a loop, ours or another's? Before 9.2 VTK knew only whether any thread does.
+bool IsInLoop()
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  return isInLoop || vtkSMPTools::IsParallelScope();
+#else
+  return isInLoop;
+#endif
+}
 
 template <typename Loop>
 void RunOnThreads(Loop& loop, int threads)
@@ -382,7 +393,7 @@ bool Run(Loop& loop, int threads, const Monitor& monitor)
   {
     loop.Work();
   }
-  else if ((monitor.Progress || monitor.Aborted) && DoesCallerWait() && !isInLoop)
+  else if ((monitor.Progress || monitor.Aborted) && DoesCallerWait() && !IsInLoop())
   {
     // Not within a loop: from another thread VTK does not know the loop as a part of it, and since 9.2 would wait for threads
     // that wait for this one.

@@ -198,6 +198,23 @@ TEST_P(ParallelForWithBackend, TheMonitorIsServedOnTheCallingThread)
   EXPECT_LT(done, 400);
 }
 
+TEST_P(ParallelForWithBackend, LoopsWithinLoopsEnd)
+{
+  Monitor monitor;
+  monitor.Progress = [](double) {};
+  std::atomic<vtkIdType> sum{ 0 };
+  const auto inner = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      EXPECT_TRUE(ParallelFor(100, monitor, [&](vtkIdType first, vtkIdType last) { sum += last - first; }));
+    }
+  };
+  ParallelFor(16, monitor, inner);
+  EXPECT_EQ(sum, 1600);
+  vtkSMPTools::For(0, 16, 1, inner); // a loop of someone else
+  EXPECT_EQ(sum, 3200);
+}
 
 TEST(ParallelFor, ManyThreadsAreBusyWhateverTheItemsTake)
 {
