@@ -170,7 +170,7 @@ Json CollectionOf(const std::vector<OutlineRing>& outlines, const std::vector<st
 
 vtkShadowFootprintWriter::~vtkShadowFootprintWriter()
 {
-  this->SetFileName(nullptr);
+  delete[] this->FileName;
 }
 
 int vtkShadowFootprintWriter::FillInputPortInformation(int, vtkInformation* info)

@@ -97,7 +97,7 @@ int vtkSunHours::RequestUpdateExtent(
 std::string vtkSunHours::CheckRequest(vtkDataObject* mesh, vtkDataObject* path) const
 {
   const double altitude = this->MinimumAltitude;
-  const std::string fault =
+  std::string fault =
     FirstOutOfRange({ { "MinimumAltitude", altitude, altitude >= -90.0 && altitude <= 90.0, "in -90..90" },
       OneOf("Association", this->Association, { "Points", "Cells" }),
       InRange("NumberOfLightSamples", this->NumberOfLightSamples, 1, mostLightSamples) });

@@ -68,12 +68,14 @@ vtkScatteringImageFilter::vtkScatteringImageFilter()
   this->GetInformation()->Remove(INPUT_ARRAYS_TO_PROCESS()); // the superclass chooses scalars of the mesh
 }
 
-vtkScatteringImageFilter::~vtkScatteringImageFilter()
-{
-  this->SetCamera(nullptr);
-}
+vtkScatteringImageFilter::~vtkScatteringImageFilter() = default;
 
-vtkCxxSetObjectMacro(vtkScatteringImageFilter, Camera, vtkCamera);
+vtkCxxSetSmartPointerMacro(vtkScatteringImageFilter, Camera, vtkCamera);
+
+vtkCamera* vtkScatteringImageFilter::GetCamera()
+{
+  return this->Camera;
+}
 
 scDefineLightPort(vtkScatteringImageFilter, lightPort);
 scDefineInputPort(vtkScatteringImageFilter, ConeSet, coneSetPort);

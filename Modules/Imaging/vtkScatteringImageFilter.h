@@ -118,7 +118,7 @@
 
 #include "ShadowConesImagingModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
-#include "vtkSmartPointer.h" // For the last picture
+#include "vtkSmartPointer.h" // For the camera and the last picture
 #include "vtkTimeStamp.h" // For what has changed
 
 #include <map>    // For the spectra
@@ -231,7 +231,7 @@ public:
    * sphere around the mesh's bounds (without a mesh: the medium's) with a view angle of 30 degrees.
    */
   virtual void SetCamera(vtkCamera* camera);
-  vtkGetObjectMacro(Camera, vtkCamera); ///< The camera, or None for an automatic one.
+  virtual vtkCamera* GetCamera(); ///< The camera, or None for an automatic one.
   ///@}
 
   ///@{
@@ -608,7 +608,7 @@ private:
   bool RenderMissing(
     vtkInformationVector** inputs, const int extent[6], shadowcones::Warnings& warnings, std::string& error);
 
-  vtkCamera* Camera = nullptr;
+  vtkSmartPointer<vtkCamera> Camera;
   int Resolution[2] = { 256, 256 };
   int Mode = Guided;
   double RelativeErrorGoal = 0.01;

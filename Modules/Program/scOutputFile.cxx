@@ -27,9 +27,9 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <memory>
+#include <system_error>
 
 namespace
 {
@@ -134,7 +134,7 @@ void CheckOutput(const std::string& path, FileKind kind)
   std::FILE* file = std::fopen(beside.c_str(), "wb");
   if (!file)
   {
-    throw Failure("-o " + path + ": cannot be written: " + std::strerror(errno));
+    throw Failure("-o " + path + ": cannot be written: " + std::generic_category().message(errno));
   }
   std::fclose(file);
   std::remove(beside.c_str());

@@ -3,6 +3,7 @@
 
 #include "scFailure.h"
 #include "scScene.h"
+#include "scSentence.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -28,6 +29,7 @@ using shadowcones::Failure;
 using shadowcones::PlaceOptions;
 using shadowcones::ReadNumbers;
 using shadowcones::Scene;
+using shadowcones::Sentence;
 
 bool EndsIn(const std::string& text, const std::string& end)
 {
@@ -92,7 +94,7 @@ void ReadTable(const std::string& path, vtkPoints* points)
     columns[axis] = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
     if (columns[axis] == names.size())
     {
-      throw Failure(path + ": expected columns named x, y and z in the first line; there is none named " + name);
+      throw Failure(Sentence(path, ": expected columns named x, y and z in the first line; there is none named ", name));
     }
   }
   for (int row = 2; std::getline(file, line); ++row)
@@ -106,8 +108,8 @@ void ReadTable(const std::string& path, vtkPoints* points)
       point[axis] = std::strtod(text.c_str(), &end);
       if (text.empty() || *end != '\0' || !std::isfinite(point[axis]))
       {
-        throw Failure(path + ": line " + std::to_string(row) + ": expected a number in column " + names[columns[axis]] +
-          ", found '" + text + "'");
+        throw Failure(
+          Sentence(path, ": line ", row, ": expected a number in column ", names[columns[axis]], ", found '", text, "'"));
       }
     }
     if (!parts.empty())

@@ -155,7 +155,7 @@ int vtkAreaLightSource::RequestInformation(vtkInformation*, vtkInformationVector
 
 std::string vtkAreaLightSource::CheckParameters() const
 {
-  const std::string fault =
+  std::string fault =
     FirstOutOfRange({ OneOf("Shape", this->Shape, { "Disc", "Rectangle", "Sphere", "Point", "Sun" }),
       InRange("NumberOfWavelengths", this->NumberOfWavelengths, 1, 1000),
       InRange("Resolution", this->Resolution, 3, 4096) });

@@ -98,7 +98,7 @@ std::string vtkSunPath::ReadTimes(double& start, std::vector<double>& steps) con
     return Sentence("Step is ", this->Step, " minutes: it must be above 0, and there may be at most ", mostSteps,
       " steps from Start to End.");
   }
-  for (double k = 0.0; k < count; k += 1.0)
+  for (int k = 0; k < static_cast<int>(count); ++k)
   {
     steps.push_back(k * step);
   }
@@ -111,7 +111,7 @@ std::string vtkSunPath::CheckParameters() const
   const auto within = [](const char* name, double value, double least, double most) {
     return ParameterRange{ name, value, value >= least && value <= most, Sentence("in ", least, "..", most) };
   };
-  const std::string fault = FirstOutOfRange({ within("Latitude", this->Latitude, -90.0, 90.0),
+  std::string fault = FirstOutOfRange({ within("Latitude", this->Latitude, -90.0, 90.0),
     within("Longitude", this->Longitude, -360.0, 360.0), within("AngularDiameter", this->AngularDiameter, 0.0, 180.0),
     InRange("NumberOfWavelengths", this->NumberOfWavelengths, 1, 1000) });
   if (!fault.empty())

@@ -334,10 +334,10 @@ private:
     {
       lamp.Spectrum = values->Values;
       lamp.NumberOfWavelengths = values->Values.size() > 1 ? static_cast<int>(values->Values.size()) : 7;
-    }
-    if (lamp.NumberOfWavelengths > MaximumWavelengths)
-    {
-      WordReader::Expect("at most 1000 numbers", values->Position);
+      if (lamp.NumberOfWavelengths > MaximumWavelengths)
+      {
+        WordReader::Expect("at most 1000 numbers", values->Position);
+      }
     }
     if (spectrum && lamp.Unit == LightUnit::None)
     {

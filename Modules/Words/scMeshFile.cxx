@@ -32,9 +32,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <sys/stat.h>
+#include <system_error>
 
 namespace shadowcones
 {
@@ -92,7 +92,7 @@ std::string FaultOf(vtkDataObject* object)
     auto leaves = vtk::TakeSmartPointer(composite->NewIterator());
     for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
     {
-      const std::string fault = FaultOf(leaves->GetCurrentDataObject());
+      std::string fault = FaultOf(leaves->GetCurrentDataObject());
       if (!fault.empty())
       {
         return fault;
@@ -329,7 +329,7 @@ std::string FaultOfFile(const std::string& path, std::int64_t& size)
   if (stat(path.c_str(), &status) != 0)
   {
     return errno == ENOENT || errno == ENOTDIR ? Sentence("There is no file \"", path, "\".")
-                                               : Sentence("\"", path, "\" cannot be opened: ", std::strerror(errno), ".");
+                                               : Sentence("\"", path, "\" cannot be opened: ", std::generic_category().message(errno), ".");
   }
   size = status.st_size;
   if (!S_ISREG(status.st_mode))
@@ -338,7 +338,7 @@ std::string FaultOfFile(const std::string& path, std::int64_t& size)
   }
   if (!std::ifstream(path))
   {
-    return Sentence("\"", path, "\" cannot be opened: ", std::strerror(errno), ".");
+    return Sentence("\"", path, "\" cannot be opened: ", std::generic_category().message(errno), ".");
   }
   return size == 0 ? Sentence("\"", path, "\" is empty.") : std::string();
 }

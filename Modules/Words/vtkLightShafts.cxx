@@ -154,12 +154,14 @@ vtkLightShafts::vtkLightShafts()
   this->SetNumberOfOutputPorts(3);
 }
 
-vtkLightShafts::~vtkLightShafts()
-{
-  this->SetCamera(nullptr);
-}
+vtkLightShafts::~vtkLightShafts() = default;
 
-vtkCxxSetObjectMacro(vtkLightShafts, Camera, vtkCamera);
+vtkCxxSetSmartPointerMacro(vtkLightShafts, Camera, vtkCamera);
+
+vtkCamera* vtkLightShafts::GetCamera()
+{
+  return this->Camera;
+}
 
 scDefineLightPort(vtkLightShafts, lightPort);
 

@@ -35,6 +35,7 @@
 
 #include "ShadowConesWordsModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For the camera
 
 #include <string> // For messages
 
@@ -76,7 +77,7 @@ public:
    * parallel projection with its scale. Its changes re-run the filter. Default: none, which takes the one that suits the mesh.
    */
   virtual void SetCamera(vtkCamera* camera);
-  vtkGetObjectMacro(Camera, vtkCamera); ///< The camera, or None for one that suits the mesh.
+  virtual vtkCamera* GetCamera(); ///< The camera, or None for one that suits the mesh.
   ///@}
 
   ///@{
@@ -211,7 +212,7 @@ private:
   std::string CheckParameters() const;
   void SetUpImage(vtkSceneDefaults* defaults, vtkScatteringImageFilter* image) const;
 
-  vtkCamera* Camera = nullptr;
+  vtkSmartPointer<vtkCamera> Camera;
   int Up = Automatic;
   int Resolution[2] = { 320, 240 };
   double RelativeErrorGoal = 0.02;
