@@ -87,8 +87,11 @@ bool ReadConeSet(vtkPolyData* input, std::vector<Cone>& cones, std::string& erro
     return false;
   }
 
-  std::vector<int> ids;
-  if (occluderIds && !CopyOccluderIds(occluderIds, "cone", ids, error))
+  std::vector<int> ids, counts, lights, kinds;
+  if ((occluderIds && !CopyOccluderIds(occluderIds, "cone", ids, error)) ||
+    (vectorCounts && !CopyWholeNumbers(vectorCounts, "cone", NotNegative, counts, error)) ||
+    (lightIds && !CopyWholeNumbers(lightIds, "cone", {}, lights, error)) ||
+    (origins && !CopyWholeNumbers(origins, "cone", { 0, 2, "0 (fitted), 1 (grown) or 2 (added)" }, kinds, error)))
   {
     return false;
   }
@@ -108,13 +111,12 @@ bool ReadConeSet(vtkPolyData* input, std::vector<Cone>& cones, std::string& erro
     cone.BaseRadius = radii->GetComponent(i, 0);
     cone.HalfAngle = angles->GetComponent(i, 0);
     cone.InnerHalfAngle = innerAngles ? innerAngles->GetComponent(i, 0) : -std::abs(cone.HalfAngle);
-    cone.OccluderId = occluderIds ? ids[static_cast<std::size_t>(i)] : 0;
-    cone.VectorCount = vectorCounts ? WholeOf<int>(vectorCounts->GetComponent(i, 0)) : 0;
+    cone.OccluderId = occluderIds ? ids[i] : 0;
+    cone.VectorCount = vectorCounts ? counts[i] : 0;
     cone.Planarity = planarities ? planarities->GetComponent(i, 0) : 0.0;
     cone.Overspill = overspills ? overspills->GetComponent(i, 0) : -1.0;
-    cone.LightId = lightIds ? WholeOf<int>(lightIds->GetComponent(i, 0)) : 0;
-    cone.Origin =
-      static_cast<ConeOrigin>(origins ? std::clamp(WholeOf<int>(origins->GetComponent(i, 0)), 0, 2) : 0);
+    cone.LightId = lightIds ? lights[i] : 0;
+    cone.Origin = static_cast<ConeOrigin>(origins ? kinds[i] : 0);
     if (!CheckCone(cone, i, error))
     {
       return false;

@@ -4,7 +4,6 @@
 #include "scCellPoints.h"
 #include "scFieldArrays.h"
 #include "scSentence.h"
-#include "scShadowClass.h"
 #include "scTuples.h"
 
 #include "vtkCellArray.h"
@@ -129,21 +128,22 @@ bool ReadOutlines(vtkPolyData* input, std::vector<OutlineRing>& outlines, std::s
   {
     return false;
   }
+  std::vector<int> shadows, occluderIds, lightIds;
+  if ((classes && !CopyWholeNumbers(classes, "outline", { 0, 2, "0, 1 or 2" }, shadows, error)) ||
+    (occluders && !CopyWholeNumbers(occluders, "outline", {}, occluderIds, error)) ||
+    (lights && !CopyWholeNumbers(lights, "outline", {}, lightIds, error)))
+  {
+    return false;
+  }
   vtkNew<vtkIdList> ids;
   vtkIdType cell = input->GetNumberOfVerts();
   vtkCellArray* lines = input->GetLines();
   for (lines->InitTraversal(); lines->GetNextCell(ids); ++cell)
   {
     OutlineRing ring;
-    const double shadow = classes ? classes->GetComponent(cell, 0) : ring.ShadowClass;
-    if (!IsShadowClass(shadow))
-    {
-      error = Sentence("\"ShadowClass\" of the outlines is ", shadow, " in cell ", cell, ": it must be 0, 1 or 2.");
-      return false;
-    }
-    ring.ShadowClass = static_cast<int>(shadow);
-    ring.OccluderId = occluders ? WholeOf<int>(occluders->GetComponent(cell, 0)) : ring.OccluderId;
-    ring.LightId = lights ? WholeOf<int>(lights->GetComponent(cell, 0)) : ring.LightId;
+    ring.ShadowClass = classes ? shadows[cell] : ring.ShadowClass;
+    ring.OccluderId = occluders ? occluderIds[cell] : ring.OccluderId;
+    ring.LightId = lights ? lightIds[cell] : ring.LightId;
     const vtkIdType count = ids->GetNumberOfIds();
     ring.Closed = count > 1 && ids->GetId(0) == ids->GetId(count - 1);
     for (vtkIdType k = 0; k < count - (ring.Closed ? 1 : 0); ++k)

@@ -92,16 +92,12 @@ bool ReadPhotons(
     !FindArray(data, "photon map", "Power", static_cast<int>(wavelengths), count, Need::Required, powers, error) ||
     !FindArray(data, "photon map", "Bounces", 1, count, Need::Required, bounces, error) ||
     !CopyFinitePoints(map, "photon", photons.Points, error) ||
-    !CopyDirections(directions, "photon", photons.Directions, error) || !CopyPowers(powers, photons, error))
+    !CopyDirections(directions, "photon", photons.Directions, error) || !CopyPowers(powers, photons, error) ||
+    !CopyWholeNumbers(bounces, "photon", NotNegative, photons.Bounces, error))
   {
     return false;
   }
-  if (kind == PhotonMapKind::Surface && !CopyDirections(normals, "photon", photons.Normals, error))
-  {
-    return false;
-  }
-  CopyInts(bounces, photons.Bounces);
-  return true;
+  return kind != PhotonMapKind::Surface || CopyDirections(normals, "photon", photons.Normals, error);
 }
 
 /// The photons that have bounced, with a share of their power, after those that are there.

@@ -105,6 +105,11 @@ bool ReadSunPath(vtkFieldData* data, double minimumAltitude, SunCourse& course, 
     error = "The sun's angular diameter must be from 0 to 180 degrees.";
     return false;
   }
+  if (!(Dot(course.Up, course.Up) > 0.5))
+  {
+    error = "\"SunUp\" of the Sun's path must be a direction.";
+    return false;
+  }
   for (vtkIdType i = 0; i < arrays.Times->GetNumberOfTuples(); ++i)
   {
     SunStep step;

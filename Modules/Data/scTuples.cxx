@@ -19,6 +19,23 @@ constexpr double UnitTolerance = 1e-3;
 
 } // namespace
 
+bool CopyWholeNumbers(
+  vtkDataArray* array, const char* item, const WholeRange& range, std::vector<int>& values, std::string& error)
+{
+  values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    if (!(value >= range.Least && value <= range.Most && value == std::floor(value)))
+    {
+      error = Sentence("The \"", array->GetName(), "\" of ", item, " ", i, " is ", value, ": it must be ", range.Expected, ".");
+      return false;
+    }
+    values[i] = static_cast<int>(value);
+  }
+  return true;
+}
+
 bool CopyOccluderIds(vtkDataArray* array, const char* item, std::vector<int>& ids, std::string& error)
 {
   std::vector<GivenId> given;

@@ -36,6 +36,8 @@ Whole WholeOf(double value)
 constexpr double LargestRadiance = 1e30;
 /// Squares of larger lengths leave what single precision holds, and their volumes' squares what double precision does.
 constexpr double LargestLength = 1e18;
+/// Of grids; the largest length in smaller steps is a number that single precision does not hold.
+constexpr double SmallestStep = 1e-18;
 
 /// What is wrong with a coordinate or a size, as a sentence ends; nullptr: nothing.
 inline const char* FaultOf(double value)
@@ -48,15 +50,18 @@ inline const char* FaultOf(const Vector3& a)
   return first ? first : FaultOf(a.Z);
 }
 
-inline void CopyInts(vtkDataArray* array, std::vector<int>& values)
+/// What whole numbers an array may have, and how a message about another one ends.
+struct WholeRange
 {
-  values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    values[i] = WholeOf<int>(array->GetComponent(i, 0));
-  }
-}
+  int Least = std::numeric_limits<int>::lowest();
+  int Most = std::numeric_limits<int>::max();
+  const char* Expected = "a whole number that 32 bits hold";
+};
+constexpr WholeRange NotNegative{ 0, std::numeric_limits<int>::max(), "a whole number, 0 or more" };
 
+/// Whole numbers of a range; @p item names one of them in messages.
+bool CopyWholeNumbers(
+  vtkDataArray* array, const char* item, const WholeRange& range, std::vector<int>& values, std::string& error);
 /// Occluder ids: whole numbers that an int holds; @p item names one of them in messages.
 bool CopyOccluderIds(vtkDataArray* array, const char* item, std::vector<int>& ids, std::string& error);
 /// All points, in double precision.

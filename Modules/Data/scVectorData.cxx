@@ -16,25 +16,10 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-
 namespace shadowcones
 {
 namespace
 {
-bool CopyLightIds(vtkDataArray* array, const char* item, std::vector<int>& ids, std::string& error)
-{
-  CopyInts(array, ids);
-  const auto wrong = std::find_if(ids.begin(), ids.end(), [](int id) { return id < 0; });
-  if (wrong != ids.end())
-  {
-    error = "The \"LightId\" of " + std::string(item) + " " + std::to_string(wrong - ids.begin()) + " is " +
-      std::to_string(*wrong) + ": it must be 0 or more.";
-    return false;
-  }
-  return true;
-}
-
 /// A vertex for each point, whose coordinates are handed over.
 void GiveVertices(vtkPolyData* output, std::vector<double>& points)
 {
@@ -93,7 +78,7 @@ bool ReadShadowVectors(vtkPolyData* input, ShadowVectorArrays& vectors, std::str
   {
     return false;
   }
-  if (lightIds && !CopyLightIds(lightIds, "shadow vector", read.LightIds, error))
+  if (lightIds && !CopyWholeNumbers(lightIds, "shadow vector", NotNegative, read.LightIds, error))
   {
     return false;
   }
@@ -138,21 +123,10 @@ bool ReadPhotonPaths(vtkPolyData* input, PhotonPathArrays& paths, std::string& e
   PhotonPathArrays read;
   if (!CopyFinitePoints(input, "photon path", read.Points, error) ||
     !CopyTriples(emissionPoints, "photon path", read.EmissionPoints, error) ||
-    !CopyDirections(directions, "photon path", read.Directions, error))
+    !CopyDirections(directions, "photon path", read.Directions, error) ||
+    !CopyWholeNumbers(states, "photon path", { 0, 1, "0 (lit) or 1 (blocked)" }, read.States, error) ||
+    (lightIds && !CopyWholeNumbers(lightIds, "photon path", NotNegative, read.LightIds, error)))
   {
-    return false;
-  }
-  CopyInts(states, read.States);
-  if (lightIds && !CopyLightIds(lightIds, "photon path", read.LightIds, error))
-  {
-    return false;
-  }
-  const auto wrong =
-    std::find_if(read.States.begin(), read.States.end(), [](int state) { return state != 0 && state != 1; });
-  if (wrong != read.States.end())
-  {
-    error = "The \"PathState\" of photon path " + std::to_string(wrong - read.States.begin()) + " is " +
-      std::to_string(*wrong) + ": it must be 0 (lit) or 1 (blocked).";
     return false;
   }
   paths = std::move(read);

@@ -70,12 +70,12 @@ bool ReadPlacement(vtkImageData* input, VisibilityGrid& grid, std::string& error
       error = text.str();
       return false;
     }
-    if (FaultOf(first[axis]) || FaultOf(spacing[axis]) || !(spacing[axis] > 0.0))
+    if (FaultOf(first[axis]) || FaultOf(spacing[axis]) || !(spacing[axis] >= SmallestStep))
     {
       std::ostringstream text;
       text << "The visibility volume begins at " << first[axis] << " along "
            << "xyz"[axis] << " with a spacing of " << spacing[axis]
-           << ": both must be finite and at most 1e18, and the spacing above 0.";
+           << ": both must be finite and at most 1e18, and the spacing at least 1e-18.";
       error = text.str();
       return false;
     }
@@ -263,8 +263,8 @@ bool HasBricks(vtkFieldData* field, const std::vector<VisibilityGrid>& grids, st
   return !changed;
 }
 
-/// Of the light of this index.
-bool ReadBricks(vtkFieldData* field, int light, VisibilityGrid& grid, std::string& error)
+/// Of the light of this index, of so many.
+bool ReadBricks(vtkFieldData* field, int light, int lights, VisibilityGrid& grid, std::string& error)
 {
   vtkDataArray* cells = field->GetArray("BrickCells");
   vtkDataArray* values = field->GetArray("BrickVisibility");
@@ -283,22 +283,27 @@ bool ReadBricks(vtkFieldData* field, int light, VisibilityGrid& grid, std::strin
   }
   grid.BrickParts = static_cast<int>(parts);
   const vtkIdType numberOfCells = grid.CellIndex(0, 0, grid.Dimensions[2] - 1);
-  const auto isOther = [lightIds, light](vtkIdType brick)
-  { return WholeOf<int>(lightIds ? lightIds->GetComponent(brick, 0) : 0.0) != light; };
+  std::vector<int> lightOf(static_cast<std::size_t>(cells->GetNumberOfTuples()), 0);
+  if (lightIds && !CopyWholeNumbers(lightIds, "brick", { 0, lights - 1, "that of a light of the volume" }, lightOf, error))
+  {
+    return false;
+  }
+  const auto isOther = [&lightOf, light](vtkIdType brick) { return lightOf[brick] != light; };
   for (vtkIdType brick = 0; brick < cells->GetNumberOfTuples(); ++brick)
   {
     if (isOther(brick))
     {
       continue;
     }
-    const auto cell = WholeOf<vtkIdType>(cells->GetComponent(brick, 0));
-    if (cell < 0 || cell >= numberOfCells || (!grid.BrickCells.empty() && cell <= grid.BrickCells.back()))
+    const double cell = cells->GetComponent(brick, 0);
+    const double before = grid.BrickCells.empty() ? -1.0 : static_cast<double>(grid.BrickCells.back());
+    if (!(cell > before && cell < static_cast<double>(numberOfCells) && cell == std::floor(cell)))
     {
-      error = "\"BrickCells\" of the visibility volume must be cells of the volume in ascending order: that of brick " +
-        std::to_string(brick) + " is " + std::to_string(cell) + ".";
+      error = Sentence("\"BrickCells\" of the visibility volume must be cells of the volume in ascending order: that of brick ",
+        brick, " is ", cell, ".");
       return false;
     }
-    grid.BrickCells.push_back(cell);
+    grid.BrickCells.push_back(static_cast<vtkIdType>(cell));
   }
   grid.BrickVisibility.reserve(static_cast<std::size_t>(values->GetNumberOfComponents()) * grid.BrickCells.size());
   for (vtkIdType brick = 0; brick < values->GetNumberOfTuples(); ++brick)
@@ -377,7 +382,7 @@ bool ReadVisibilityGrids(
   const bool hasBricks = HasBricks(input->GetFieldData(), grids, warning);
   for (int light = 0; hasBricks && light < lights; ++light)
   {
-    if (!ReadBricks(input->GetFieldData(), light, grids[static_cast<std::size_t>(light)], error))
+    if (!ReadBricks(input->GetFieldData(), light, lights, grids[static_cast<std::size_t>(light)], error))
     {
       return false;
     }

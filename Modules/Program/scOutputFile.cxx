@@ -33,8 +33,6 @@
 
 namespace
 {
-using shadowcones::ExitUsage;
-using shadowcones::Failure;
 using shadowcones::FileKind;
 
 std::string ExtensionOf(const std::string& path)

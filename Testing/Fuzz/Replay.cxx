@@ -91,12 +91,14 @@ void Replay(const fuzz::Harness& harness, const std::string& folder, int runs)
 {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Input> corpus = ReadCorpus(folder + "/" + harness.Name + ".txt");
+  fuzz::GoesAllTheWay() = true;
   for (std::size_t k = 0; k < corpus.size(); ++k)
   {
     std::fprintf(stderr, "%s, input %zu\n", harness.Name, k);
     alarm(60);
     harness.Run(corpus[k].data(), corpus[k].size());
   }
+  fuzz::GoesAllTheWay() = false;
   std::mt19937_64 random(1);
   for (int run = 0; run < runs; ++run)
   {
@@ -132,6 +134,7 @@ int main(int argc, char** argv)
     if (one && words[1] == harness.Name)
     {
       const Input input = Read(words[2]);
+      fuzz::GoesAllTheWay() = true;
       harness.Run(input.data(), input.size());
       ++run;
     }

@@ -61,6 +61,11 @@ inline double ExpectSolid(vtkPolyData* surface)
   EXPECT_EQ(Edges(surface, true), 0);
   EXPECT_EQ(Edges(surface, false), 0);
   const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
+  if (numberOfPoints == 0)
+  {
+    ADD_FAILURE() << "no surface";
+    return 0.0;
+  }
   // Around a point: from one neighbour to the next. Each directed edge is there once.
   std::unordered_map<vtkIdType, vtkIdType> next;
   std::vector<vtkIdType> degrees(static_cast<std::size_t>(numberOfPoints), 0);

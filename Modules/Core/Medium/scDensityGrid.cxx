@@ -125,7 +125,7 @@ struct CellWalk
   {
     const int lastCell = std::max(dimension - 2, 0);
     const auto cellAt = [&](double t)
-    { return std::clamp(static_cast<int>(std::floor(from + t * along)), 0, lastCell); };
+    { return static_cast<int>(std::clamp(std::floor(from + t * along), 0.0, static_cast<double>(lastCell))); };
     const int first = cellAt(tBegin);
     this->Cell = first;
     this->FacesLeft = std::abs(cellAt(tEnd) - first);
@@ -256,6 +256,12 @@ const char* PrepareDensityGrid(DensityGrid& grid)
     if (!IsFinite(grid.Axes[axis]))
     {
       return "The density grid has an axis that is not finite.";
+    }
+    // Places in cells are then numbers of single precision, wherever they are.
+    const double step = Length(grid.Axes[axis]);
+    if (!(step >= 1e-18 && step <= 1e18))
+    {
+      return "The density grid has an axis whose step is not from 1e-18 to 1e18.";
     }
     grid.Strides[axis] = grid.Dimensions[axis] > 1 ? size : 0;
     size *= static_cast<std::size_t>(grid.Dimensions[axis]);

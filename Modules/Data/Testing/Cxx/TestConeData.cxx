@@ -144,6 +144,32 @@ TEST(ConeData, ConeSetFaultsAreNamed)
   EXPECT_EQ(ConeError(data), "The position of cone 0 is not finite.");
 }
 
+TEST(ConeData, WholeNumbersThatAreNoneAreNamed)
+{
+  struct
+  {
+    const char* Array;
+    double Value;
+    const char* Said;
+  } const faults[] = {
+    { "VectorCount", NaN, "nan: it must be a whole number, 0 or more." },
+    { "VectorCount", -1.0, "-1: it must be a whole number, 0 or more." },
+    { "VectorCount", 1.5, "1.5: it must be a whole number, 0 or more." },
+    { "LightId", NaN, "nan: it must be a whole number that 32 bits hold." },
+    { "LightId", 0.5, "0.5: it must be a whole number that 32 bits hold." },
+    { "LightId", 1e15, "1e+15: it must be a whole number that 32 bits hold." },
+    { "ConeOrigin", 3.0, "3: it must be 0 (fitted), 1 (grown) or 2 (added)." },
+    { "ConeOrigin", 0.5, "0.5: it must be 0 (fitted), 1 (grown) or 2 (added)." },
+  };
+  for (const auto& fault : faults)
+  {
+    vtkNew<vtkPolyData> data;
+    WriteConeSet({ ExampleCone(), ExampleCone() }, data);
+    AddDoubleArray(data->GetPointData(), fault.Array, 1, { 1.0, fault.Value });
+    EXPECT_EQ(ConeError(data), std::string("The \"") + fault.Array + "\" of cone 1 is " + fault.Said);
+  }
+}
+
 TEST(ConeData, AxesNearUnitAreNormalised)
 {
   vtkNew<vtkPolyData> data;

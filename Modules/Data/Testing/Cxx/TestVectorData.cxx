@@ -60,6 +60,9 @@ TEST(VectorData, ShadowVectors)
   EXPECT_EQ(error, "The shadow-vector input has no array \"EmissionPoint\".");
   EXPECT_EQ(vectors.View().Count, 0);
 
+  AddDoubleArray(data->GetPointData(), "LightId", 1, { 0.0, 0.5 });
+  EXPECT_FALSE(ReadShadowVectors(data, vectors, error));
+  EXPECT_EQ(error, "The \"LightId\" of shadow vector 1 is 0.5: it must be a whole number, 0 or more.");
   data->GetPointData()->GetArray("Direction")->SetComponent(1, 0, NaN);
   EXPECT_FALSE(ReadShadowVectors(data, vectors, error));
   EXPECT_EQ(error, "The \"Direction\" of shadow vector 1 is not finite.");
@@ -84,6 +87,9 @@ TEST(VectorData, PhotonPaths)
   AddIntArray(data->GetPointData(), "PathState", 1, { 0, 2 });
   EXPECT_FALSE(ReadPhotonPaths(data, paths, error));
   EXPECT_EQ(error, "The \"PathState\" of photon path 1 is 2: it must be 0 (lit) or 1 (blocked).");
+  AddDoubleArray(data->GetPointData(), "PathState", 1, { 0.5, 1.0 });
+  EXPECT_FALSE(ReadPhotonPaths(data, paths, error));
+  EXPECT_EQ(error, "The \"PathState\" of photon path 0 is 0.5: it must be 0 (lit) or 1 (blocked).");
   data->GetPointData()->RemoveArray("PathState");
   EXPECT_FALSE(ReadPhotonPaths(data, paths, error));
   EXPECT_EQ(error, "The photon-path input has no array \"PathState\".");

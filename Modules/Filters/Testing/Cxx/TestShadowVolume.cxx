@@ -72,7 +72,11 @@ std::vector<Cone> RandomCones(int count, std::uint64_t seed)
   std::vector<Cone> cones;
   for (int i = 0; i < count; ++i)
   {
-    Cone cone = MakeCone(vector(), 0.1 * random.Next(), 0.6 * random.Next() - 0.2, -0.5 * random.Next(), 2 * (i % 5));
+    // One after the other: compilers differ in which argument of a call comes first.
+    const double inner = -0.5 * random.Next();
+    const double half = 0.6 * random.Next() - 0.2;
+    const double radius = 0.1 * random.Next();
+    Cone cone = MakeCone(vector(), radius, half, inner, 2 * (i % 5));
     cone.Axis = Normalized(vector());
     cones.push_back(cone);
   }

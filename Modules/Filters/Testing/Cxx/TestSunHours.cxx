@@ -404,6 +404,8 @@ TEST(SunHours, FaultsAreSaid)
     "Step 5 of the Sun's path");
   EXPECT_SAYS(changed([](vtkFieldData* data) { data->GetArray("SunAngularDiameter")->SetComponent(0, 0, 200.0); }),
     "The sun's angular diameter must be from 0 to 180 degrees.");
+  EXPECT_SAYS(changed([](vtkFieldData* data) { data->GetArray("SunUp")->SetComponent(0, 1, std::nan("")); }),
+    "\"SunUp\" of the Sun's path must be a direction.");
 
   const auto set = [&path](const std::function<void(vtkSunHours*)>& change)
   {

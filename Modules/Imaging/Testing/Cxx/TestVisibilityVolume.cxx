@@ -411,12 +411,25 @@ TEST_F(VisibilityVolume, BadVolumesAreReported)
   this->ExpectUnreadable("rotated by its direction matrix",
     [](vtkImageData* volume) { volume->SetDirectionMatrix(0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0); });
   this->ExpectUnreadable("with a spacing of -1", [](vtkImageData* volume) { volume->SetSpacing(0.1, -1.0, 0.1); });
+  this->ExpectUnreadable("the spacing at least 1e-18", [](vtkImageData* volume) { volume->SetSpacing(0.1, 5e-324, 0.1); });
   this->ExpectUnreadable("has 1 points along y: it must have at least 2.",
     [](vtkImageData* volume) { volume->SetExtent(0, 14, 0, 0, 0, 12); });
   this->ExpectUnreadable("\"BrickVisibility\" must have a tuple for each of",
     [](vtkImageData* volume) { volume->GetFieldData()->GetArray("BrickParts")->SetComponent(0, 0, 3.0); });
   this->ExpectUnreadable("must be cells of the volume in ascending order: that of brick 1 is 0.",
     [](vtkImageData* volume) { volume->GetFieldData()->GetArray("BrickCells")->SetComponent(1, 0, 0.0); });
+  this->ExpectUnreadable("\"BrickCells\" of the visibility volume must be",
+    [](vtkImageData* volume) { volume->GetFieldData()->GetArray("BrickCells")->SetComponent(0, 0, -1.0); });
+  this->ExpectUnreadable("The \"BrickLightId\" of brick 1 is 7: it must be that of a light of the volume.",
+    [](vtkImageData* volume)
+    {
+      vtkNew<vtkIntArray> lights;
+      lights->SetName("BrickLightId");
+      lights->SetNumberOfTuples(volume->GetFieldData()->GetArray("BrickCells")->GetNumberOfTuples());
+      lights->Fill(0.0);
+      lights->SetValue(1, 7);
+      volume->GetFieldData()->AddArray(lights);
+    });
   this->ExpectUnreadable("\"BrickVisibility\" of the visibility volume is -1 in brick 2: it must be in 0..1.",
     [](vtkImageData* volume) { volume->GetFieldData()->GetArray("BrickVisibility")->SetComponent(2, 5, -1.0); });
 }
