@@ -257,12 +257,6 @@ const char* PrepareDensityGrid(DensityGrid& grid)
     {
       return "The density grid has an axis that is not finite.";
     }
-    // Places in cells are then numbers of single precision, wherever they are.
-    const double step = Length(grid.Axes[axis]);
-    if (!(step >= 1e-18 && step <= 1e18))
-    {
-      return "The density grid has an axis whose step is not from 1e-18 to 1e18.";
-    }
     grid.Strides[axis] = grid.Dimensions[axis] > 1 ? size : 0;
     size *= static_cast<std::size_t>(grid.Dimensions[axis]);
   }
@@ -285,6 +279,12 @@ const char* PrepareDensityGrid(DensityGrid& grid)
   if (!(std::fabs(volume) > 1e-9 * Length(a) * Length(b) * Length(c)))
   {
     return "The axes of the density grid do not span space.";
+  }
+  // Places in cells are numbers of single precision then, wherever they are.
+  const auto isStep = [](const Vector3& axis) { return Length(axis) >= 1e-18 && Length(axis) <= 1e18; };
+  if (!std::all_of(grid.Axes.begin(), grid.Axes.end(), isStep))
+  {
+    return "The density grid has an axis whose step is not from 1e-18 to 1e18.";
   }
   grid.ToIndex = { { (1.0 / volume) * Cross(b, c), (1.0 / volume) * Cross(c, a), (1.0 / volume) * Cross(a, b) } };
   for (std::size_t axis = 0; axis < 3; ++axis)
