@@ -1,100 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkConeSetFilter: its arrays and field data, its parameters, and a message for each fault.
-// One file because every parameter is tried on the same shadow vectors.
+// vtkConeSetFilter: its arrays and field data, its parameters, and what tuning makes of them.
 #include "Messages.h"
 #include "TestPolyData.h"
-#include "scConeData.h"
-#include "scConeProofCheck.h"
-#include "scLightData.h"
-#include "scMeshData.h"
+#include "TracedBoard.h"
 #include "vtkConeSetFilter.h"
-#include "vtkShadowVectorFilter.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
 #include "vtkVariant.h"
 
 #include <cmath>
-#include <functional>
+#include <initializer_list>
 #include <map>
 #include <sstream>
 #include <string>
-#include <vector>
 
 using namespace shadowcones::testsupport;
-
-namespace
-{
-
-/// Lamp, board and floor: 3000 vectors on the board's back.
-class Traced
-{
-public:
-  Traced()
-  {
-    this->Light = LampAbove(3.0);
-    this->Filter->SetInputData(MeshBuilder().AddBox(0.0, 0.0, 1.0, 0.8, 0.8, 0.02, 4).AddSquare(0.0, 3.0, -1).Build());
-    this->Filter->SetLightConnection(this->Light->GetOutputPort());
-    this->Filter->SetTargetNumberOfVectors(3000);
-    this->Filter->SetToPaper();
-    this->Filter->SetSeed(9);
-    this->Filter->Update();
-  }
-  /// Copies that a test may spoil.
-  vtkSmartPointer<vtkPolyData> Vectors() { return this->Copy(0); }
-  vtkSmartPointer<vtkPolyData> Paths() { return this->Copy(1); }
-
-private:
-  vtkSmartPointer<vtkPolyData> Copy(int port)
-  {
-    auto copy = vtkSmartPointer<vtkPolyData>::New();
-    copy->DeepCopy(this->Filter->GetOutput(port));
-    return copy;
-  }
-  vtkSmartPointer<vtkAreaLightSource> Light;
-  vtkNew<vtkShadowVectorFilter> Filter;
-};
-
-Traced& Board()
-{
-  static Traced traced;
-  return traced;
-}
-
-struct Outcome
-{
-  vtkIdType Cones = 0;
-  vtkIdType Vectors = 0;
-  std::string Errors;
-};
-
-Outcome Execute(vtkPolyData* vectors, vtkPolyData* paths, const std::function<void(vtkConeSetFilter*)>& change = {})
-{
-  vtkNew<vtkConeSetFilter> filter;
-  filter->SetToPaper();
-  filter->SetInputData(vectors);
-  if (paths)
-  {
-    filter->SetPhotonPathData(paths);
-  }
-  if (change)
-  {
-    change(filter);
-  }
-  Messages messages(filter);
-  filter->Update();
-  return { filter->GetOutput(0)->GetNumberOfPoints(), filter->GetOutput(1)->GetNumberOfPoints(), messages.Errors };
-}
-
-void ExpectFault(const Outcome& outcome, const std::string& says)
-{
-  EXPECT_EQ(outcome.Cones, 0);
-  EXPECT_EQ(outcome.Vectors, 0);
-  EXPECT_SAYS(outcome.Errors, says);
-}
-
-} // namespace
 
 TEST(ConeSetFilter, GivesTheDocumentedArrays)
 {
@@ -340,21 +261,6 @@ TEST(ConeSetFilter, TuningChoosesTheParametersAndSaysSo)
   EXPECT_NEAR(FieldValue(soft, "TuningObjective"), 1.0 - caught / (1.0 + FieldValue(soft, "TuningLost")), 1e-12);
 }
 
-TEST(ConeSetFilter, TrimmingNeedsPaths)
-{
-  vtkNew<vtkConeSetFilter> filter;
-  filter->SetToPaper();
-  filter->SetInputData(Board().Vectors());
-  filter->SetMaximumOverspill(0.1);
-  Messages messages(filter);
-  filter->Update();
-  EXPECT_SAYS(messages.Errors, "MaximumOverspill is 0.1");
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  filter->SetPhotonPathData(Board().Paths());
-  filter->Update();
-  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
-}
-
 TEST(ConeSetFilter, ManualSetsHaveNoTuning)
 {
   vtkNew<vtkConeSetFilter> filter;
@@ -396,128 +302,6 @@ TEST(ConeSetFilter, TunesToWhatAnotherTracerMade)
   EXPECT_EQ(messages.Errors, "");
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_LT(FieldValue(filter->GetOutput(), "TuningLeak"), 0.01);
-}
-
-/// The check that shares nothing with the filter, on what a reader of the cone set gets.
-class ProvedSet
-{
-public:
-  ProvedSet(vtkPolyData* coneSet, vtkPolyData* mesh, vtkAreaLightSource* light)
-  {
-    std::string error;
-    light->Update();
-    EXPECT_TRUE(shadowcones::ReadConeSet(coneSet, this->Cones, error)) << error;
-    EXPECT_TRUE(shadowcones::ReadTriangles(mesh, this->Mesh, error)) << error;
-    this->Lights.resize(1);
-    EXPECT_TRUE(shadowcones::ReadLight(light->GetOutput(), this->Lights[0], error)) << error;
-    this->Data = coneSet->GetFieldData();
-  }
-  bool Checked() const
-  {
-    shadowcones::ConeProofCheck check;
-    shadowcones::CheckConeProof(this->Mesh.View(), this->Lights[0], this->Cones, {}, {}, check);
-    return check.Proved;
-  }
-  /// Why the certificate does not stand; empty where it does.
-  std::string Objection() const
-  {
-    std::string why;
-    shadowcones::ReadConeCertificate(this->Data, this->Cones, this->Mesh.View(), this->Lights, why);
-    return why;
-  }
-
-  std::vector<shadowcones::Cone> Cones;
-  shadowcones::TriangleMesh Mesh;
-  std::vector<shadowcones::Light> Lights;
-  vtkFieldData* Data = nullptr;
-};
-
-/// A board of 1.6 x 1.6 and a small one beside it, which the photons hardly meet.
-vtkSmartPointer<vtkPolyData> TwoBoards()
-{
-  return MeshBuilder()
-    .AddBox(0.0, 0.0, 1.0, 0.8, 0.8, 0.02, 4)
-    .AddBox(1.5, 0.0, 1.0, 0.01, 0.01, 0.01, 5)
-    .AddSquare(0.0, 3.0, -1)
-    .Build();
-}
-
-TEST(ConeSetProof, EveryProvableTuningIsProved)
-{
-  const auto mesh = TwoBoards();
-  const auto light = LampAbove(3.0);
-  for (const int tuning : { vtkConeSetFilter::Automatic, vtkConeSetFilter::Manual })
-  {
-    vtkNew<vtkConeSetFilter> filter;
-    EXPECT_EQ(filter->GetTuning(), vtkConeSetFilter::Automatic);
-    filter->SetTuning(tuning);
-    filter->SetInputData(Board().Vectors());
-    filter->SetMeshData(mesh);
-    Messages messages(filter);
-    filter->Update();
-    EXPECT_EQ(messages.Errors + messages.Warnings, "");
-    const ProvedSet set(filter->GetOutput(), mesh, light);
-    EXPECT_EQ(FieldValue(filter->GetOutput(), "Certified"), 1.0);
-    EXPECT_EQ(FieldValue(filter->GetOutput(), "NumberOfOccludersWithoutCone"), 0.0);
-    EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("CertifiedBounds")->GetComponent(0, 5), HUGE_VAL);
-    EXPECT_TRUE(set.Checked()) << tuning;
-    EXPECT_EQ(set.Objection(), "");
-    EXPECT_EQ(FieldValue(filter->GetOutput(), "NumberOfDiscarded"), 0.0);
-    // Without the proof the small board, which no photon met, has no cone.
-    filter->CertifyOff();
-    filter->Update();
-    const ProvedSet fitted(filter->GetOutput(), mesh, light);
-    EXPECT_EQ(FieldValue(filter->GetOutput(), "Certified"), 0.0);
-    EXPECT_FALSE(fitted.Checked());
-    EXPECT_SAYS(fitted.Objection(), "says nothing of a proof");
-  }
-}
-
-TEST(ConeSetProof, CertificateIsOfTheseConesCastersAndLights)
-{
-  const auto mesh = TwoBoards();
-  const auto light = LampAbove(3.0);
-  vtkNew<vtkConeSetFilter> filter;
-  filter->SetInputData(Board().Vectors());
-  filter->SetMeshData(mesh);
-  filter->Update();
-  vtkNew<vtkPolyData> scaled;
-  scaled->DeepCopy(filter->GetOutput());
-  scaled->GetPointData()->GetArray("BaseRadius")->SetComponent(0, 0, 0.1);
-  EXPECT_SAYS(ProvedSet(scaled, mesh, light).Objection(), "are not those");
-  EXPECT_SAYS(ProvedSet(filter->GetOutput(), mesh, LampAbove(3.1)).Objection(), "are not those");
-  const auto other = MeshBuilder().AddBox(0.0, 0.0, 1.0, 0.8, 0.8, 0.02, 4).Build();
-  EXPECT_SAYS(ProvedSet(filter->GetOutput(), other, light).Objection(), "are not those");
-  EXPECT_EQ(ProvedSet(filter->GetOutput(), mesh, light).Objection(), "");
-}
-
-TEST(ConeSetProof, NeedsTheLightAndLeavesPreviewAlone)
-{
-  const auto mesh = TwoBoards();
-  const auto light = LampAbove(3.0);
-  const auto vectors = Board().Vectors();
-  vtkNew<vtkFieldData> nothing;
-  vectors->SetFieldData(nothing);
-  vtkNew<vtkConeSetFilter> filter;
-  filter->SetInputData(vectors);
-  filter->SetPhotonPathData(Board().Paths());
-  filter->SetMeshData(mesh);
-  Messages messages(filter);
-  filter->Update();
-  EXPECT_SAYS(messages.Warnings, "Connect the light with SetLightConnection");
-  EXPECT_EQ(FieldValue(filter->GetOutput(), "Certified"), 0.0);
-  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
-  filter->SetLightConnection(light->GetOutputPort());
-  filter->AddLightConnection(LampAbove(4.0)->GetOutputPort());
-  filter->Update();
-  EXPECT_EQ(FieldValue(filter->GetOutput(), "Certified"), 1.0);
-  EXPECT_TRUE(ProvedSet(filter->GetOutput(), mesh, light).Checked());
-  EXPECT_TRUE(ProvedSet(filter->GetOutput(), mesh, LampAbove(4.0)).Checked());
-  EXPECT_FALSE(ProvedSet(filter->GetOutput(), mesh, LampAbove(3.0, 0.9)).Checked());
-  filter->SetTuningToSoft();
-  filter->Update();
-  EXPECT_EQ(FieldValue(filter->GetOutput(), "Certified"), 0.0);
-  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("ConeOrigin")->GetRange()[1], 0.0);
 }
 
 TEST(ConeSetFilter, NoVectorIsLeftOverByDefault)
@@ -566,98 +350,4 @@ TEST(ConeSetFilter, PathsThatTeachNothingGiveBounds)
     EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
     EXPECT_EQ(FieldValue(filter->GetOutput(), "NumberOfDiscarded"), 0.0);
   }
-}
-
-TEST(ConeSetFilter, NoVectorsGiveNoCones)
-{
-  vtkNew<vtkPolyData> empty;
-  const Outcome outcome = Execute(empty, nullptr);
-  EXPECT_EQ(outcome.Cones, 0);
-  EXPECT_EQ(outcome.Errors, "");
-  vtkNew<vtkPolyData> noPaths;
-  const Outcome withPaths = Execute(Board().Vectors(), noPaths);
-  EXPECT_GT(withPaths.Cones, 5);
-  EXPECT_EQ(withPaths.Errors, "");
-}
-
-TEST(ConeSetFilterErrors, EachParameterHasItsMessage)
-{
-  const auto vectors = Board().Vectors();
-  const auto run = [&](const std::function<void(vtkConeSetFilter*)>& change)
-  { return Execute(vectors, nullptr, change); };
-  ExpectFault(
-    run([](vtkConeSetFilter* f) { f->SetNumberOfNeighbors(19); }), "must not be below MinimumVectorsPerCone (p4)");
-  ExpectFault(
-    run([](vtkConeSetFilter* f) { f->SetNumberOfNeighbors(2); }), "NumberOfNeighbors (p1) must lie in 3..1000000");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetNumberOfSectors(0); }), "NumberOfSectors (p2) must lie in 1..65536");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetNumberOfNeighbors(536870912); }), "must lie in 3..1000000");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetNumberOfSectors(2147483647); }), "must lie in 1..65536");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetPointsPerRing(2147483647); }), "must be below NumberOfNeighbors (p1)");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetPointsPerRing(0); }), "PointsPerRing (p3) must be at least 1");
-  ExpectFault(
-    run([](vtkConeSetFilter* f) { f->SetMinimumVectorsPerCone(0); }), "MinimumVectorsPerCone (p4) must be at least 1");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetVarianceThreshold(-1.0); }), "VarianceThreshold");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetPlanarityThreshold(std::nan("")); }), "PlanarityThreshold");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetExpansion(7); }), "Expansion must be");
-  ExpectFault(run([](vtkConeSetFilter* f) { f->SetExpansionFraction(1.5); }), "ExpansionFraction must lie in 0..1");
-}
-
-TEST(ConeSetFilterErrors, TuningNeedsPathsToLearnFrom)
-{
-  const auto vectors = Board().Vectors();
-  const auto tune = [](vtkConeSetFilter* f) { f->SetTuningToPreview(); };
-  ExpectFault(Execute(vectors, nullptr, tune), "Tuning learns from photon paths and input port 1 has none");
-  ExpectFault(
-    Execute(vectors, Board().Paths(), [](vtkConeSetFilter* f) { f->SetTuning(7); }), "Tuning is 7: it must be Manual (0)");
-  ExpectFault(Execute(vectors, nullptr, [](vtkConeSetFilter* f) { f->SetTuning(-1); }), "Tuning is -1: it must be Manual (0)");
-  // Nothing to tune is no fault.
-  vtkNew<vtkPolyData> empty;
-  EXPECT_EQ(Execute(empty, Board().Paths(), tune).Errors, "");
-}
-
-TEST(ConeSetFilterErrors, EachArrayHasItsMessage)
-{
-  auto vectors = Board().Vectors();
-  vectors->GetPointData()->RemoveArray("Direction");
-  ExpectFault(Execute(vectors, nullptr), "no array \"Direction\"");
-
-  vectors = Board().Vectors();
-  vectors->GetPointData()->RemoveArray("EmissionPoint");
-  EXPECT_EQ(Execute(vectors, nullptr).Errors, ""); // the light's exact shape is in the field data
-  vectors->GetFieldData()->RemoveArray("LightShape");
-  ExpectFault(Execute(vectors, nullptr), "no array \"EmissionPoint\"");
-
-  vectors = Board().Vectors();
-  vectors->GetFieldData()->RemoveArray("LightRadius");
-  ExpectFault(Execute(vectors, nullptr), "\"LightRadius\" is missing");
-
-  vectors = Board().Vectors();
-  vectors->GetPointData()->GetArray("Direction")->SetComponent(17, 0, std::nan(""));
-  ExpectFault(Execute(vectors, nullptr), "shadow vector 17");
-
-  vectors = Board().Vectors();
-  vectors->GetPointData()->GetArray("Direction")->SetTuple3(17, 0.0, 0.0, 2.0);
-  ExpectFault(Execute(vectors, nullptr), "not 1");
-
-  vectors = Board().Vectors();
-  vectors->GetPoints()->SetPoint(5, std::nan(""), 0.0, 0.0);
-  ExpectFault(Execute(vectors, nullptr), "position of shadow vector 5 is not finite");
-
-  vectors = Board().Vectors();
-  vtkNew<vtkFloatArray> shortArray;
-  shortArray->SetName("Mine");
-  shortArray->SetNumberOfTuples(10);
-  vectors->GetPointData()->AddArray(shortArray);
-  ExpectFault(Execute(vectors, nullptr), "\"Mine\" has 10 tuples where 3000 are needed");
-
-  auto paths = Board().Paths();
-  paths->GetPointData()->RemoveArray("PathState");
-  ExpectFault(Execute(Board().Vectors(), paths), "no array \"PathState\"");
-
-  paths = Board().Paths();
-  paths->GetPointData()->GetArray("PathState")->SetTuple1(3, 4);
-  ExpectFault(Execute(Board().Vectors(), paths), "\"PathState\" of photon path 3 is 4");
-
-  // The mesh itself instead of its vectors: a slip that is easily made.
-  ExpectFault(Execute(MeshBuilder().AddSquare(0.0, 1.0, 0).Build(), nullptr), "no array \"Direction\"");
 }

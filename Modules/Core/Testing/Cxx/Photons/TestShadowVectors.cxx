@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What photons leave behind: exact exits of boxes, sheets, receivers, and the power that they carry.
-// One file because every promise is asked of the same small meshes.
+// What photons leave behind: exact exits of boxes and sheets, receivers, and which occluders are closed.
+#include "PhotonTesting.h"
 #include "TestLights.h"
 #include "TestMeshes.h"
-#include "scPhotonEmission.h"
 #include "scShadowVectors.h"
 #include "scTriangleMesh.h"
 
@@ -12,112 +11,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
+#include <utility>
+#include <vector>
 
 using namespace shadowcones;
 using namespace testsupport;
-
-namespace
-{
-
-ShadowVectorResult Trace(const TestMesh& mesh, const Light& light, const ShadowVectorOptions& options)
-{
-  const OccluderScene scene(mesh.View());
-  ShadowVectorResult result;
-  EXPECT_TRUE(TraceShadowVectors(scene, light, options, {}, result));
-  return result;
-}
-
-ShadowVectorOptions Photons(vtkIdType count, VectorStorage storage = VectorStorage::BackSide)
-{
-  ShadowVectorOptions options;
-  options.NumberOfPhotons = count;
-  options.Storage = storage;
-  return options;
-}
-
-template <typename T>
-Vector3 At(const std::vector<T>& values, std::size_t i)
-{
-  return { values[3 * i], values[3 * i + 1], values[3 * i + 2] };
-}
-
-double Sum(const std::vector<float>& values)
-{
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-double BlockedPower(const PhotonPaths& paths)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < paths.Powers.size(); ++i)
-  {
-    sum += paths.States[i] ? paths.Powers[i] : 0.0;
-  }
-  return sum;
-}
-
-/// Cosine-weighted solid angle over a polygon seen from the origin, times the normal: Lambert's formula.
-double Irradiance(const std::vector<Vector3>& corners, const Vector3& normal)
-{
-  Vector3 sum;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    const Vector3 a = Normalized(corners[i]);
-    const Vector3 b = Normalized(corners[(i + 1) % corners.size()]);
-    const Vector3 edge = Cross(a, b);
-    sum += std::atan2(Length(edge), Dot(a, b)) * Normalized(edge);
-  }
-  return 0.5 * std::abs(Dot(sum, normal));
-}
-
-/// Directions within a sheet x, y in [-half, half] at z = 0 from a point above it.
-std::vector<Vector3> SheetSeenFrom(const Vector3& point, double half)
-{
-  return { Vector3{ -half, -half, 0.0 } - point, Vector3{ half, -half, 0.0 } - point,
-    Vector3{ half, half, 0.0 } - point, Vector3{ -half, half, 0.0 } - point };
-}
-
-TestMesh Sheet(double half)
-{
-  TestMesh mesh;
-  mesh.AddSheet({ -half, -half, 0.0 }, { 2.0 * half, 0.0, 0.0 }, { 0.0, 2.0 * half, 0.0 }, 4);
-  return mesh;
-}
-
-/// Every array of a result, by name, as bytes.
-std::map<std::string, std::string> Bytes(const ShadowVectorResult& r)
-{
-  std::map<std::string, std::string> bytes;
-  const auto add = [&bytes](const char* name, const auto& values)
-  { bytes[name].assign(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0])); };
-  add("Vectors.Points", r.Vectors.Points);
-  add("Vectors.Directions", r.Vectors.Directions);
-  add("Vectors.Normals", r.Vectors.Normals);
-  add("Vectors.OccluderIds", r.Vectors.OccluderIds);
-  add("Vectors.EmissionPoints", r.Vectors.EmissionPoints);
-  add("Vectors.PathLengths", r.Vectors.PathLengths);
-  add("Vectors.Thicknesses", r.Vectors.Thicknesses);
-  add("Vectors.PhotonIndices", r.Vectors.PhotonIndices);
-  add("Paths.Points", r.Paths.Points);
-  add("Paths.States", r.Paths.States);
-  add("Paths.OccluderIds", r.Paths.OccluderIds);
-  add("Paths.EmissionPoints", r.Paths.EmissionPoints);
-  add("Paths.Directions", r.Paths.Directions);
-  add("Paths.Powers", r.Paths.Powers);
-  add("Paths.PhotonIndices", r.Paths.PhotonIndices);
-  add("Photons.Points", r.Photons.Points);
-  add("Photons.Normals", r.Photons.Normals);
-  add("Photons.Directions", r.Photons.Directions);
-  add("Photons.Powers", r.Photons.Powers);
-  add("Photons.OccluderIds", r.Photons.OccluderIds);
-  add("Photons.ReceiverIds", r.Photons.ReceiverIds);
-  add("Photons.PhotonIndices", r.Photons.PhotonIndices);
-  return bytes;
-}
-
-} // namespace
+using namespace photontesting;
 
 TEST(ShadowVectors, LeaveABoxAtItsExactExit)
 {
@@ -412,117 +312,6 @@ TEST(ShadowVectors, LitPathsEndAtTheBoundsOfMeshAndLight)
   EXPECT_GT(lit, 100);
 }
 
-TEST(ShadowVectorPower, RectangleOverRectangleIsTheFormFactor)
-{
-  // Opposed equal squares, 2 by 2, 1 apart: the textbook form factor.
-  const double x = 2.0;
-  const double y = 2.0;
-  const double xx = 1.0 + x * x;
-  const double yy = 1.0 + y * y;
-  const double factor = 2.0 / (Pi * x * y) *
-    (std::log(std::sqrt(xx * yy / (1.0 + x * x + y * y))) + x * std::sqrt(yy) * std::atan(x / std::sqrt(yy)) +
-      y * std::sqrt(xx) * std::atan(y / std::sqrt(xx)) - x * std::atan(x) - y * std::atan(y));
-  Light light;
-  light.Shape = LightShape::Rectangle;
-  light.Center = { 0.0, 0.0, 1.0 };
-  light.Normal = { 0.0, 0.0, -1.0 };
-  light.AxisU = { 1.0, 0.0, 0.0 };
-  light.AxisV = { 0.0, -1.0, 0.0 };
-  light.Spectrum.assign(7, 3.0);
-  light = Prepared(light);
-  const ShadowVectorResult result = Trace(Sheet(1.0), light, Photons(40000));
-  const double flux = 3.0 * Pi * 4.0 * factor;
-  EXPECT_NEAR(BlockedPower(result.Paths), flux, 2e-3 * flux);
-  // Photons are aimed at the bounds, which the sheet fills but for its margin.
-  EXPECT_NEAR(Sum(result.Paths.Powers), flux, 4e-3 * flux);
-  EXPECT_GE(Sum(result.Paths.Powers), BlockedPower(result.Paths));
-}
-
-TEST(ShadowVectorPower, DiscOverSquareIsTheIntegralOverTheDisc)
-{
-  const double radius = 0.8;
-  const double height = 1.5;
-  const double half = 0.6;
-  // Midpoints of rings and sectors; the integrand is smooth.
-  double flux = 0.0;
-  const int rings = 60;
-  const int sectors = 120;
-  for (int i = 0; i < rings; ++i)
-  {
-    for (int k = 0; k < sectors; ++k)
-    {
-      const double r = radius * (i + 0.5) / rings;
-      const double phi = 2.0 * Pi * (k + 0.5) / sectors;
-      const Vector3 point{ 0.3 + r * std::cos(phi), r * std::sin(phi), height };
-      const double area = r * (radius / rings) * (2.0 * Pi / sectors);
-      flux += area * Irradiance(SheetSeenFrom(point, half), { 0.0, 0.0, 1.0 });
-    }
-  }
-  const ShadowVectorResult result =
-    Trace(Sheet(half), DiscLight({ 0.3, 0.0, height }, { 0.0, 0.0, -1.0 }, radius), Photons(40000));
-  EXPECT_NEAR(BlockedPower(result.Paths), flux, 2e-3 * flux);
-}
-
-TEST(ShadowVectorPower, IsTheMeanOverTheSpectrum)
-{
-  Light light = DiscLight({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, -1.0 }, 0.5);
-  const double one = Sum(Trace(Sheet(1.0), light, Photons(1000)).Paths.Powers);
-  light.Spectrum = { 1.0, 2.0, 6.0 };
-  EXPECT_NEAR(Sum(Trace(Sheet(1.0), light, Photons(1000)).Paths.Powers), 3.0 * one, 1e-4 * one);
-  light.Spectrum = { 0.0, 0.0 };
-  EXPECT_EQ(
-    Trace(Sheet(1.0), light, Photons(1000)).Vectors.OccluderIds.size(), 0u); // a light that is off casts no shadow
-}
-
-TEST(ShadowVectorPower, PointLightIsIntensityTimesSolidAngle)
-{
-  // A square of half width a at distance h under a point light.
-  const double a = 0.7;
-  const double h = 1.3;
-  const double solidAngle = 4.0 * std::asin(a * a / (a * a + h * h));
-  const ShadowVectorResult result = Trace(Sheet(a), PointLight({ 0.0, 0.0, h }), Photons(20000));
-  EXPECT_NEAR(BlockedPower(result.Paths), solidAngle, 2e-3 * solidAngle);
-  EXPECT_NEAR(result.MeanSolidAngle, solidAngle, 5e-3 * solidAngle);
-}
-
-TEST(ShadowVectorPower, SunIsIrradianceTimesProjectedArea)
-{
-  // Spectrum of a Sun is the irradiance of a plane that faces it; at 30 degrees a 2 x 2 sheet catches half of 4.
-  for (const double angular : { 0.0, 0.00465, 0.05 })
-  {
-    const Light sun = SunLight({ std::cos(Pi / 6.0), 0.0, -std::sin(Pi / 6.0) }, angular);
-    const ShadowVectorResult result = Trace(Sheet(1.0), sun, Photons(40000));
-    EXPECT_NEAR(BlockedPower(result.Paths), 2.0, 0.01) << angular;
-    double widest = 0.0;
-    for (std::size_t i = 0; i < result.Paths.States.size(); ++i)
-    {
-      const Vector3 d = At(result.Paths.Directions, i);
-      widest = std::max(widest, std::atan2(Length(Cross(d, sun.Normal)), Dot(d, sun.Normal)));
-    }
-    EXPECT_NEAR(widest, angular, 1e-3 * angular + 1e-6);
-  }
-}
-
-TEST(ShadowVectorPower, SphereLightOverASheetIsThatOfAPoint)
-{
-  // Outside a Lambertian sphere every direction sees pi R^2 of radiance: an intensity of pi R^2, whatever the direction. For
-  // a sheet wholly below it the flux through it is that intensity's, because both are fields without divergence.
-  const double radius = 0.4;
-  const ShadowVectorResult result = Trace(Sheet(1.0), SphereLight({ 0.0, 0.0, 1.0 }, radius), Photons(60000));
-  const double solidAngle = 4.0 * std::asin(1.0 / 2.0);
-  EXPECT_NEAR(BlockedPower(result.Paths), Pi * radius * radius * solidAngle, 6e-3 * Pi * radius * radius * solidAngle);
-}
-
-TEST(ShadowVectorPower, ALightInsideTheBoundsSendsAllItsFlux)
-{
-  // Inside a closed room every photon is blocked: the whole flux of a Lambertian disc, pi times its area.
-  TestMesh mesh;
-  mesh.AddBox({ -2.0, -2.0, -2.0 }, { 2.0, 2.0, 2.0 }, 0);
-  const ShadowVectorResult result = Trace(mesh, DiscLight({ 0.0, 0.0, 1.0 }, { 0.3, 0.1, -1.0 }, 0.5), Photons(5000));
-  EXPECT_NEAR(BlockedPower(result.Paths), Pi * Pi * 0.25, 1e-4);
-  EXPECT_EQ(BlockedPower(result.Paths), Sum(result.Paths.Powers));
-}
-
 TEST(ShadowVectors, ALightThatFacesAwayLeavesNothing)
 {
   const ShadowVectorResult result =
@@ -540,105 +329,6 @@ TEST(ShadowVectors, ARoofThatReceivesShadesFromTheSunHoweverHigh)
     mesh.AddSheet({ -5.0, -5.0, height }, { 10.0, 0.0, 0.0 }, { 0.0, 10.0, 0.0 }, -1);
     const ShadowVectorResult result = Trace(mesh, SunLight({ 0.0, 0.0, -1.0 }, 0.001), Photons(500));
     EXPECT_TRUE(result.Vectors.OccluderIds.empty()) << height;
-  }
-}
-
-TEST(ShadowVectorTarget, IsMetUpToTheLastPhotons)
-{
-  TestMesh mesh;
-  mesh.AddBox({ -0.5, -0.5, 0.0 }, { 0.5, 0.5, 0.2 }, 0);
-  mesh.AddBox({ -0.5, -0.5, 1.0 }, { 0.5, 0.5, 1.2 }, 1);
-  mesh.AddBox({ 2.0, 2.0, 1.0 }, { 2.5, 2.5, 1.2 }, 2); // lowers the yield
-  const Light light = DiscLight({ 0.0, 0.0, 4.0 }, { 0.0, 0.0, -1.0 }, 0.5);
-  for (const vtkIdType target : { 1, 7, 1000, 5800 })
-  {
-    ShadowVectorOptions options = Photons(1);
-    options.TargetNumberOfVectors = target;
-    const ShadowVectorResult result = Trace(mesh, light, options);
-    const auto stored = static_cast<vtkIdType>(result.Vectors.OccluderIds.size());
-    const vtkIdType last = result.Vectors.PhotonIndices.back();
-    const auto ofLast = std::count(result.Vectors.PhotonIndices.begin(), result.Vectors.PhotonIndices.end(), last);
-    EXPECT_GE(stored, target);
-    EXPECT_LT(stored - ofLast, target);          // without the last photon it would not be met
-    EXPECT_EQ(result.NumberOfPhotons, last + 1); // and that is the last one emitted
-    // The same as asking for that many photons.
-    EXPECT_EQ(Bytes(result), Bytes(Trace(mesh, light, Photons(result.NumberOfPhotons))));
-  }
-}
-
-TEST(ShadowVectorTarget, GivesUpWhereNoLightArrives)
-{
-  ShadowVectorOptions options;
-  options.TargetNumberOfVectors = 10;
-  const ShadowVectorResult result = Trace(Sheet(1.0), DiscLight({ 0.0, 0.0, 2.0 }, { 0.0, 0.0, 1.0 }, 0.5), options);
-  EXPECT_EQ(result.NumberOfPhotons, 10000);
-  EXPECT_TRUE(result.Vectors.OccluderIds.empty());
-}
-
-TEST(ShadowVectorPieces, JoinToTheWhole)
-{
-  TestMesh mesh;
-  mesh.AddSphere({ 0.0, 0.0, 0.0 }, 1.0, 20, 0);
-  const Light light = DiscLight({ 0.0, 0.0, 3.0 }, { 0.0, 0.0, -1.0 }, 0.5);
-  for (const vtkIdType target : { 0, 3000 })
-  {
-    ShadowVectorOptions options = Photons(5003); // no multiple of the pieces
-    options.TargetNumberOfVectors = target;
-    const auto whole = Bytes(Trace(mesh, light, options));
-    for (const int pieces : { 2, 4, 7 })
-    {
-      std::map<std::string, std::string> joined;
-      options.NumberOfPieces = pieces;
-      for (options.Piece = 0; options.Piece < pieces; ++options.Piece)
-      {
-        for (const auto& [name, bytes] : Bytes(Trace(mesh, light, options)))
-        {
-          joined[name] += bytes;
-        }
-      }
-      EXPECT_TRUE(joined == whole) << pieces << " pieces";
-      options.Piece = 0;
-      options.NumberOfPieces = 1;
-    }
-  }
-}
-
-TEST(ShadowVectorSeed, ChoosesThePhotons)
-{
-  TestMesh mesh;
-  mesh.AddSphere({ 0.0, 0.0, 0.0 }, 1.0, 20, 0);
-  const Light light = DiscLight({ 0.0, 0.0, 3.0 }, { 0.0, 0.0, -1.0 }, 0.5);
-  ShadowVectorOptions options = Photons(1000);
-  const auto first = Bytes(Trace(mesh, light, options));
-  EXPECT_TRUE(first == Bytes(Trace(mesh, light, options)));
-  options.Seed = 2;
-  EXPECT_FALSE(first == Bytes(Trace(mesh, light, options)));
-}
-
-TEST(ShadowVectorMonitor, AbortStopsAndProgressOnlyGrows)
-{
-  TestMesh mesh;
-  mesh.AddSphere({ 0.0, 0.0, 0.0 }, 1.0, 20, 0);
-  mesh.AddBox({ 20.0, 20.0, 0.0 }, { 21.0, 21.0, 1.0 }, 1); // aims most photons beside the sphere
-  const Light light = DiscLight({ 0.0, 0.0, 3.0 }, { 0.0, 0.0, -1.0 }, 0.5);
-  const OccluderScene scene(mesh.View());
-  for (const vtkIdType target : { 0, 40000 })
-  {
-    ShadowVectorOptions options = Photons(200000);
-    options.TargetNumberOfVectors = target;
-    std::vector<double> seen;
-    Monitor monitor;
-    monitor.Progress = [&seen](double share) { seen.push_back(share); };
-    ShadowVectorResult result;
-    ASSERT_TRUE(TraceShadowVectors(scene, light, options, monitor, result));
-    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
-    EXPECT_GE(std::set<double>(seen.begin(), seen.end()).size(), 3u);
-    EXPECT_NEAR(seen.back(), 1.0, 1e-12) << target << " " << testing::PrintToString(seen) << result.NumberOfPhotons;
-
-    monitor.Aborted = [&seen] { return seen.size() >= 2; };
-    seen.clear();
-    EXPECT_FALSE(TraceShadowVectors(scene, light, options, monitor, result));
-    EXPECT_LE(seen.size(), 3u);
   }
 }
 
@@ -669,22 +359,4 @@ TEST(ClosedOccluders, NeedEveryEdgeBothWays)
   EXPECT_FALSE(closed[0]);
   EXPECT_FALSE(closed[11]);
   EXPECT_TRUE(closed.back());
-}
-
-TEST(PhotonEmission, PhotonsBeyondTheFirstFourThousandMillionAreOthers)
-{
-  // The index has more bits than the Sobol sequence: 2^32 photons later nothing may repeat.
-  TestMesh mesh;
-  mesh.AddBox({ -1.0, -1.0, 0.0 }, { 1.0, 1.0, 1.0 }, 0);
-  const Light light = DiscLight({ 0.0, 0.0, 5.0 }, { 0.0, 0.0, -1.0 }, 0.5);
-  const PhotonEmission emission(light, mesh.View());
-  for (const vtkIdType later : { vtkIdType(1) << 32, vtkIdType(1) << 40 })
-  {
-    for (vtkIdType i = 0; i < 4; ++i)
-    {
-      const EmittedPhoton first = emission.Emit(1, i);
-      const EmittedPhoton other = emission.Emit(1, i + later);
-      EXPECT_GT(Length(first.Origin - other.Origin) + Length(first.Direction - other.Direction), 1e-3) << later;
-    }
-  }
 }
