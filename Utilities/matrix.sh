@@ -37,7 +37,7 @@ try_clang()
   build_project -DSHADOWCONES_BUILD_TESTING=ON -DSHADOWCONES_BUILD_EXAMPLES=ON -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
   (cd "$build" && ctest --output-on-failure -j2)
   if [ -x "$first/bin/scattering-speed" ]; then
-    python3 "$root/Utilities/compare_builds.py" "$first" "$build"
+    /usr/bin/python3 "$root/Utilities/compare_builds.py" "$first" "$build"
   else
     printf 'Not compared: %s is not built (sh Utilities/test.sh)\n' "$first"
   fi

@@ -88,7 +88,7 @@ int main(int argc, char* argv[])
       setting.Size, setting.Size, threads, setting.Steps, setting.Depth, setting.Threshold, setting.LightSamples,
       setting.Repeats, setting.Pixels);
     std::printf(
-      "%-8s %-24s %7s %8s %7s %8s %8s %12s\n", "scene", "mode", "cones", "seconds", "speed", "error", "bias", "rays");
+      "%-8s %-26s %7s %8s %7s %8s %8s %12s\n", "scene", "mode", "cones", "seconds", "speed", "error", "bias", "rays");
     for (const std::string& name : scenes)
     {
       const BenchmarkScene scene(name);
@@ -145,7 +145,7 @@ int main(int argc, char* argv[])
         }
         brute = row.Mode == ScatteringMode::BruteForce ? seconds : brute;
         error = Compare(MediumTerm(image, truth, setting.Size), truth);
-        std::printf("%-8s %-24s %7zu %8.3f %7.2f %8.4f %8.4f %12lld\n", scene.Name.c_str(), row.Name.c_str(),
+        std::printf("%-8s %-26s %7zu %8.3f %7.2f %8.4f %8.4f %12lld\n", scene.Name.c_str(), row.Name.c_str(),
           row.Cones.size(), seconds, brute / seconds, error.Rms, error.Bias,
           static_cast<long long>(image.NumberOfOcclusionRays));
         std::fflush(stdout);

@@ -274,7 +274,7 @@ void Mesh(const std::uint8_t* raw, std::size_t count)
   labels->SetInputData(mesh);
   labels->SetLabelBy(further % 4);
   Run(labels, { "Normals", "Reflectance" });
-  if (GoesOn(raw, count, 16))
+  if (GoesOn(raw, count, 64))
   {
     vtkNew<vtkConeSetProbe> probe;
     probe->SetInputData(Places());
