@@ -61,10 +61,10 @@ public:
   }
   /// From tBegin of the camera ray to @p t, in [tBegin, tEnd].
   double Along(double t) const { return this->Density ? this->LookUp(t) : t - this->TBegin; }
-  /// Mean of the density over the part [a, b] of the camera ray; exactly 1 in a homogeneous medium.
+  /// Mean of the density over the part [a, b] of the camera ray, never below 0; exactly 1 in a homogeneous medium.
   double MeanDensity(double a, double b) const
   {
-    return this->Density ? (b > a ? (this->LookUp(b) - this->LookUp(a)) / (b - a) : 0.0) : 1.0;
+    return this->Density ? (b > a ? std::max(this->LookUp(b) - this->LookUp(a), 0.0) / (b - a) : 0.0) : 1.0;
   }
 
   /// Where Along() has a value, between two places where it has no more and no less.
@@ -123,8 +123,10 @@ private:
     {
       return this->Stretches.back().OpticalDepth;
     }
-    const DensityStretch& stretch = this->Stretches[this->StretchAt(t)];
-    return stretch.DepthAfter(t - stretch.Begin);
+    const std::size_t k = this->StretchAt(t);
+    const DensityStretch& stretch = this->Stretches[k];
+    // Where one cell holds what is thin and what is like ink, rounding may lead beyond its ends.
+    return std::clamp(stretch.DepthAfter(t - stretch.Begin), stretch.OpticalDepth, this->Stretches[k + 1].OpticalDepth);
   }
 
   SHADOWCONESCORE_EXPORT double LookUpDistance(double depth, double low, double high) const;

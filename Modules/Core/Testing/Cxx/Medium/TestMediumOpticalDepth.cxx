@@ -140,3 +140,36 @@ TEST(MediumOpticalDepth, TheTableOfARayIsItsIntegral)
     }
   }
 }
+
+TEST(MediumOpticalDepth, NeverGrowsLess)
+{
+  // What is thin beside ink, in one cell: more digits apart than numbers have.
+  std::uint32_t state = 9;
+  const DensityGrid grid = SampleDensity({ { 3, 4, 3 } }, { -1.0, -1.0, -1.0 }, UnitAxes({ 0.7, 0.5, 0.9 }),
+    [&state](const Vector3&)
+    {
+      state = state * 1664525u + 1013904223u;
+      return state >> 30 == 0 ? 1e15 : 7.0;
+    });
+  const Medium medium = MediumInside({ -1.5, -1.5, -1.5 }, { 2.0, 2.0, 2.0 }, &grid);
+  MediumOpticalDepth depth(medium);
+  for (int k = 0; k < 200; ++k)
+  {
+    const Vector3 direction = Normalized({ std::cos(1.7 * k), std::sin(2.9 * k), std::cos(0.3 * k * k) });
+    const Vector3 origin = Vector3{ 0.05 * (k % 7), 0.1, -0.1 } - 9.0 * direction;
+    double begin = 0.0;
+    double end = HUGE_VAL;
+    ASSERT_TRUE(medium.Bounds.Clip(origin, direction, begin, end));
+    depth.SetRay(origin, direction, begin, end);
+    double before = 0.0;
+    for (int part = 1; part <= 1000; ++part)
+    {
+      const double t = begin + 0.001 * part * (end - begin);
+      const double step = 0.001 * (end - begin);
+      EXPECT_GE(depth.MeanDensity(t - step, t), 0.0) << k << " " << t;
+      EXPECT_GE(depth.MeanDensity(t - 1e-9, t), 0.0) << k << " " << t;
+      EXPECT_GE(depth.Along(t), before - 1e-15 * before) << k << " " << t;
+      before = depth.Along(t);
+    }
+  }
+}
