@@ -6,15 +6,16 @@
 #   --runs     executions of each harness
 #   --total    executions of each harness, those of all runs before counted too: a harness that has as many is left out
 #   --jobs     harnesses side by side; 1 by default
-# Harnesses, all by default: words options field-data light mesh chain vectors cone-set volume density fog (Testing/Fuzz).
+# Harnesses, all by default: words options field-data light mesh chain vectors cone-set volume bricks density fog
+# (Testing/Fuzz).
 # How often each has been executed in all runs is kept in build-fuzz/executions, also where a run is ended by a signal. A new build
-# goes on from Testing/Fuzz/executions.txt; build-fuzz/executions.txt takes its place where counts are to be handed on.
+# goes on from Testing/Fuzz/executions.txt; build-fuzz/executions.txt takes its place where counts are to be handed on (by one machine after the other).
 # Inputs that broke something lie in build-fuzz/found; mend it, and add them with Testing/Fuzz/corpus.py.
 set -eu
 . "$(dirname "$0")/setup.sh"
 
 counts="$root/build-fuzz/executions"
-every="words options field-data light mesh chain vectors cone-set volume density fog"
+every="words options field-data light mesh chain vectors cone-set volume bricks density fog"
 
 # What a log says that was executed: its last line, or the last of those in between where the program had no time for it.
 executions_of()

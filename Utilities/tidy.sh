@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # Read the sources of the modules with clang-tidy, as .clang-tidy says: sh Utilities/tidy.sh [FILE]...
-# Compiles nothing; the first time it configures build-tidy/ and generates headers. Default: all of Modules; about four seconds a file and core.
+# Compiles nothing; it configures build-tidy/ and generates headers. Default: all of Modules; about four seconds a file and core.
 set -eu
 . "$(dirname "$0")/setup.sh"
 
@@ -19,7 +19,8 @@ if [ $# -eq 0 ]; then
   # shellcheck disable=SC2046
   set -- $(find Modules -name '*.cxx' ! -path '*/Testing/*' ! -path '*/ParaViewPlugin/*' | sort)
 fi
-printf '%s\n' "$@" | xargs -P "$(nproc)" -n 4 clang-tidy -p "$tidy" --quiet >"$tidy/report.log" 2>"$tidy/errors.log" || true
+printf '%s\n' "$@" | xargs -P "$(nproc)" -n 4 clang-tidy -p "$tidy" --quiet >"$tidy/report.log" 2>"$tidy/errors.log" ||
+  printf 'error: clang-tidy ended early or could not read a file: see %s\n' "$tidy/errors.log" >>"$tidy/report.log"
 # What a header has is said once for each file that includes it.
 grep -hE '(warning|error): ' "$tidy/report.log" "$tidy/errors.log" | sed "s|$root/||" | sort -u || true
 count=$(grep -hE '(warning|error): ' "$tidy/report.log" "$tidy/errors.log" | sort -u | wc -l)

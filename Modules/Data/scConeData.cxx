@@ -206,12 +206,16 @@ void WriteConeTuning(const ConeTuningResult& tuning, vtkFieldData* data)
 Box ReadCertifiedBounds(vtkFieldData* data)
 {
   vtkDataArray* bounds = data->GetArray("CertifiedBounds");
-  if (!bounds || bounds->GetNumberOfValues() != 6 || !std::isfinite(bounds->GetVariantValue(0).ToDouble()))
+  const auto edge = [bounds](int i) { return bounds->GetVariantValue(i).ToDouble(); };
+  if (!bounds || bounds->GetNumberOfValues() != 6 || (edge(0) == -HUGE_VAL && edge(1) == HUGE_VAL))
   {
     return {};
   }
-  const auto edge = [bounds](int i) { return bounds->GetVariantValue(i).ToDouble(); };
-  return { { edge(0), edge(2), edge(4) }, { edge(1), edge(3), edge(5) } };
+  const Box box{ { edge(0), edge(2), edge(4) }, { edge(1), edge(3), edge(5) } };
+  const bool isBox = IsFinite(box.Min) && IsFinite(box.Max) && box.Min.X <= box.Max.X && box.Min.Y <= box.Max.Y &&
+    box.Min.Z <= box.Max.Z;
+  const Vector3 nowhere{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
+  return isBox ? box : Box{ nowhere, nowhere };
 }
 
 std::vector<Cone> ConesEverywhere(const Box& region, std::size_t lights)

@@ -44,7 +44,8 @@ SHADOWCONESDATA_EXPORT void WriteConeSetOptions(const ConeSetOptions& options, v
 /// What tuning found on the photons held out, as field data.
 SHADOWCONESDATA_EXPORT void WriteConeTuning(const ConeTuningResult& tuning, vtkFieldData* data);
 
-/// The box in which a cone set's field data says that it is proved; empty: everywhere, or not at all.
+/// The box in which a cone set's field data says that it is proved; empty: everywhere, or not at all; at infinity,
+/// which is nowhere, where the numbers are no box.
 SHADOWCONESDATA_EXPORT Box ReadCertifiedBounds(vtkFieldData* data);
 /// One cone around @p region for each light: rays are then sent from everywhere.
 SHADOWCONESDATA_EXPORT std::vector<Cone> ConesEverywhere(const Box& region, std::size_t lights);

@@ -66,6 +66,14 @@ bool ReadLightExtents(const ShadowVectorArrays& vectors, const std::vector<Light
       " and its field data tell of " + std::to_string(shapes.size()) + " lights.";
     return false;
   }
+  // Each light is looked for among all vectors, whether it has some or none.
+  constexpr std::size_t mostWithoutVectors = 1000;
+  if (named > vectors.LightIds.size() + mostWithoutVectors)
+  {
+    error = "The shadow-vector input has the \"LightId\" " + std::to_string(named - 1) + " and " +
+      std::to_string(vectors.LightIds.size()) + " vectors: count lights from 0.";
+    return false;
+  }
   extents.clear();
   for (std::size_t k = 0; k < std::max(named, shapes.size()); ++k)
   {

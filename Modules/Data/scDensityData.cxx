@@ -57,7 +57,7 @@ void ReadPlacement(vtkImageData* input, DensityGrid& grid)
     const auto a = static_cast<std::size_t>(axis);
     grid.Dimensions[a] = extent[2 * axis + 1] - extent[2 * axis] + 1;
     // Nothing depends on the spacing along an axis with one point.
-    const double step = grid.Dimensions[a] == 1 && spacing[axis] == 0.0 ? 1.0 : spacing[axis];
+    const double step = grid.Dimensions[a] == 1 ? 1.0 : spacing[axis];
     grid.Axes[a] = { step * direction[axis], step * direction[3 + axis], step * direction[6 + axis] };
     grid.Origin += static_cast<double>(extent[2 * axis]) * grid.Axes[a];
   }

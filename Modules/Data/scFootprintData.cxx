@@ -128,22 +128,19 @@ bool ReadOutlines(vtkPolyData* input, std::vector<OutlineRing>& outlines, std::s
   {
     return false;
   }
-  std::vector<int> shadows, occluderIds, lightIds;
-  if ((classes && !CopyWholeNumbers(classes, "outline", { 0, 2, "0, 1 or 2" }, shadows, error)) ||
-    (occluders && !CopyWholeNumbers(occluders, "outline", {}, occluderIds, error)) ||
-    (lights && !CopyWholeNumbers(lights, "outline", {}, lightIds, error)))
-  {
-    return false;
-  }
   vtkNew<vtkIdList> ids;
   vtkIdType cell = input->GetNumberOfVerts();
   vtkCellArray* lines = input->GetLines();
   for (lines->InitTraversal(); lines->GetNextCell(ids); ++cell)
   {
     OutlineRing ring;
-    ring.ShadowClass = classes ? shadows[cell] : ring.ShadowClass;
-    ring.OccluderId = occluders ? occluderIds[cell] : ring.OccluderId;
-    ring.LightId = lights ? lightIds[cell] : ring.LightId;
+    const auto read = [cell, &error](vtkDataArray* array, const WholeRange& range, int& value)
+    { return !array || ReadWholeNumber(array, "outlines' cell", cell, range, value, error); };
+    if (!read(classes, { 0, 2, "0, 1 or 2" }, ring.ShadowClass) || !read(occluders, {}, ring.OccluderId) ||
+      !read(lights, {}, ring.LightId))
+    {
+      return false;
+    }
     const vtkIdType count = ids->GetNumberOfIds();
     ring.Closed = count > 1 && ids->GetId(0) == ids->GetId(count - 1);
     for (vtkIdType k = 0; k < count - (ring.Closed ? 1 : 0); ++k)

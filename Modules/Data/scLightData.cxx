@@ -99,9 +99,9 @@ bool ReadVector(
 bool ReadShapeKind(double value, Light& light, std::string& error)
 {
   constexpr int last = static_cast<int>(LightShape::Mesh);
-  if (!(value >= 0 && value <= last))
+  if (!(value >= 0 && value <= last && value == std::floor(value)))
   {
-    error = "The light's field array \"LightShape\" must be from 0 to " + std::to_string(last) + ".";
+    error = "The light's field array \"LightShape\" must be a whole number from 0 to " + std::to_string(last) + ".";
     return false;
   }
   light.Shape = static_cast<LightShape>(static_cast<int>(value));
@@ -497,10 +497,15 @@ bool ReadLightShapes(vtkFieldData* data, std::vector<Light>& lights, std::string
   error.clear();
   vtkDataArray* shapes = data->GetArray("LightShape");
   const vtkIdType count = shapes ? shapes->GetNumberOfValues() : 0;
+  std::vector<double> kinds;
+  if (count > 0 && !ReadField(data, "LightShape", count, kinds, error))
+  {
+    return false;
+  }
   for (vtkIdType k = 0; k < count; ++k)
   {
     Light light;
-    if (!ReadShapeKind(shapes->GetComponent(k, 0), light, error))
+    if (!ReadShapeKind(kinds[k], light, error))
     {
       return false;
     }

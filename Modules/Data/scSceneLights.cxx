@@ -280,8 +280,8 @@ void AssignCones(vtkPolyData* coneSet, SceneLights& lights, std::vector<Cone>& c
   {
     for (Cone& cone : cones)
     {
-      const auto id = static_cast<std::size_t>(std::max(cone.LightId, 0));
-      cone.LightId = id < matches.size() ? matches[id] : -1;
+      const auto id = static_cast<std::size_t>(cone.LightId);
+      cone.LightId = cone.LightId >= 0 && id < matches.size() ? matches[id] : -1;
     }
     return;
   }

@@ -6,6 +6,7 @@
 
 #include "vtkPolyData.h"
 
+#include <charconv>
 #include <cstdint>
 #include <limits>
 
@@ -19,21 +20,36 @@ constexpr double UnitTolerance = 1e-3;
 
 } // namespace
 
+std::string TextOf(double value)
+{
+  char text[40];
+  return { text, std::to_chars(text, text + sizeof(text), value).ptr };
+}
+
+bool ReadWholeNumber(
+  vtkDataArray* array, const char* item, vtkIdType i, const WholeRange& range, int& value, std::string& error)
+{
+  const double given = array->GetComponent(i, 0);
+  if (!(given >= range.Least && given <= range.Most && given == std::floor(given)))
+  {
+    error = Sentence(
+      "The \"", array->GetName(), "\" of ", item, " ", i, " is ", TextOf(given), ": it must be ", range.Expected, ".");
+    return false;
+  }
+  value = static_cast<int>(given);
+  return true;
+}
+
 bool CopyWholeNumbers(
   vtkDataArray* array, const char* item, const WholeRange& range, std::vector<int>& values, std::string& error)
 {
   values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  bool good = true;
+  for (vtkIdType i = 0; good && i < array->GetNumberOfTuples(); ++i)
   {
-    const double value = array->GetComponent(i, 0);
-    if (!(value >= range.Least && value <= range.Most && value == std::floor(value)))
-    {
-      error = Sentence("The \"", array->GetName(), "\" of ", item, " ", i, " is ", value, ": it must be ", range.Expected, ".");
-      return false;
-    }
-    values[i] = static_cast<int>(value);
+    good = ReadWholeNumber(array, item, i, range, values[i], error);
   }
-  return true;
+  return good;
 }
 
 bool CopyOccluderIds(vtkDataArray* array, const char* item, std::vector<int>& ids, std::string& error)

@@ -50,6 +50,9 @@ inline const char* FaultOf(const Vector3& a)
   return first ? first : FaultOf(a.Z);
 }
 
+/// A number with all of its digits, for messages: 1234567, 0.5, 1e+15, nan.
+std::string TextOf(double value);
+
 /// What whole numbers an array may have, and how a message about another one ends.
 struct WholeRange
 {
@@ -59,7 +62,10 @@ struct WholeRange
 };
 constexpr WholeRange NotNegative{ 0, std::numeric_limits<int>::max(), "a whole number, 0 or more" };
 
-/// Whole numbers of a range; @p item names one of them in messages.
+/// A whole number of a range; @p item names what has it in messages.
+bool ReadWholeNumber(
+  vtkDataArray* array, const char* item, vtkIdType i, const WholeRange& range, int& value, std::string& error);
+/// All of them.
 bool CopyWholeNumbers(
   vtkDataArray* array, const char* item, const WholeRange& range, std::vector<int>& values, std::string& error);
 /// Occluder ids: whole numbers that an int holds; @p item names one of them in messages.

@@ -274,7 +274,8 @@ bool ReadBricks(vtkFieldData* field, int light, int lights, VisibilityGrid& grid
   if (!cells || !values || !(parts >= 1.0 && parts <= 1024.0) || cells->GetNumberOfComponents() != 1 ||
     values->GetNumberOfComponents() != side * side * side ||
     values->GetNumberOfTuples() != cells->GetNumberOfTuples() ||
-    (lightIds && lightIds->GetNumberOfValues() != cells->GetNumberOfTuples()))
+    (lightIds &&
+      (lightIds->GetNumberOfComponents() != 1 || lightIds->GetNumberOfTuples() != cells->GetNumberOfTuples())))
   {
     error =
       "The field data of the visibility volume do not fit together: \"BrickVisibility\" must have a tuple for each of "
@@ -300,7 +301,7 @@ bool ReadBricks(vtkFieldData* field, int light, int lights, VisibilityGrid& grid
     if (!(cell > before && cell < static_cast<double>(numberOfCells) && cell == std::floor(cell)))
     {
       error = Sentence("\"BrickCells\" of the visibility volume must be cells of the volume in ascending order: that of brick ",
-        brick, " is ", cell, ".");
+        brick, " is ", TextOf(cell), ".");
       return false;
     }
     grid.BrickCells.push_back(static_cast<vtkIdType>(cell));

@@ -162,7 +162,7 @@ SunPath vtkSunPath::MakePath(double start, const std::vector<double>& steps, dou
   SunPath path;
   path.Up = horizon.Up;
   path.AngularRadius = vtkMath::RadiansFromDegrees(0.5 * this->AngularDiameter);
-  path.Now = at(std::clamp(now, 0.0, steps.back()));
+  path.Now = at(std::min(std::max(0.0, now), steps.back()));
   for (std::size_t k = 0; k < steps.size(); ++k)
   {
     path.Times.push_back(at(steps[k]));

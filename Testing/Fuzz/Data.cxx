@@ -20,6 +20,7 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -417,6 +418,78 @@ void Volume(const std::uint8_t* raw, std::size_t count)
   Run(filter);
 }
 
+/// A volume that is refined where shadows end, with its arrays as numbers of double precision.
+vtkImageData* RefinedVolume()
+{
+  static const vtkSmartPointer<vtkImageData> refined = []
+  {
+    static const vtkSmartPointer<vtkAreaLightSource> lamp = MakeLamp(false);
+    vtkNew<vtkVisibilityVolume> volume;
+    volume->SetMeshData(Sheet());
+    volume->SetLightData(lamp->GetOutput());
+    volume->SetMethodToExact();
+    volume->SetDimensions(4, 4, 4);
+    volume->SetBounds(-3.0, 3.0, -3.0, 3.0, -2.0, 4.0);
+    volume->SetBrickParts(2);
+    volume->SetNumberOfLightSamples(4);
+    volume->Update();
+    auto made = vtkSmartPointer<vtkImageData>::New();
+    made->ShallowCopy(volume->GetOutput());
+    for (const char* name : { "BrickParts", "BrickCells", "BrickVisibility", "BrickDimensions", "BrickPlacement" })
+    {
+      vtkNew<vtkDoubleArray> numbers;
+      Check(made->GetFieldData()->GetArray(name) != nullptr, "the volume has bricks");
+      numbers->DeepCopy(made->GetFieldData()->GetArray(name));
+      numbers->SetName(name);
+      made->GetFieldData()->AddArray(numbers);
+    }
+    return made;
+  }();
+  return refined;
+}
+
+/// Bricks as they are written, with some of their numbers and sizes changed.
+void Bricks(const std::uint8_t* raw, std::size_t count)
+{
+  Bytes bytes(raw, count);
+  vtkNew<vtkImageData> image;
+  image->DeepCopy(RefinedVolume());
+  vtkFieldData* field = image->GetFieldData();
+  while (!bytes.IsEmpty())
+  {
+    const char* const names[] = { "BrickCells", "BrickVisibility", "BrickParts", "BrickLightId", "BrickDimensions" };
+    const char* name = names[bytes.Below(5)];
+    if (!field->GetArray(name))
+    {
+      vtkNew<vtkDoubleArray> lights;
+      lights->SetName(name);
+      lights->SetNumberOfComponents(bytes.OneIn(8) ? 2 : 1);
+      lights->SetNumberOfTuples(bytes.OneIn(8) ? bytes.Below(20) : field->GetArray("BrickCells")->GetNumberOfTuples());
+      lights->Fill(0.0);
+      field->AddArray(lights);
+    }
+    vtkDataArray* array = field->GetArray(name);
+    if (bytes.OneIn(16))
+    {
+      array->SetNumberOfTuples(bytes.Below(20));
+    }
+    if (array->GetNumberOfTuples() > 0)
+    {
+      array->SetComponent(bytes.Byte() % array->GetNumberOfTuples(), bytes.Byte() % array->GetNumberOfComponents(), bytes.Number());
+    }
+  }
+  std::vector<VisibilityGrid> grids;
+  std::string error;
+  std::string warning;
+  if (ReadVisibilityGrids(image, grids, error, warning) && GoesOn(raw, count, 16))
+  {
+    vtkNew<vtkScatteringImageFilter> filter;
+    SetSmall(bytes, filter, vtkScatteringImageFilter::Volume);
+    filter->SetVisibilityVolumeData(image);
+    Run(filter);
+  }
+}
+
 /// A density, and a picture in it by @p mode for one input in @p oneIn: the picture takes a thousand times as long as reading does.
 void DensityBy(int mode, std::size_t oneIn, const std::uint8_t* raw, std::size_t count)
 {
@@ -457,7 +530,7 @@ void Fog(const std::uint8_t* raw, std::size_t count)
 }
 
 const Entry entries[] = { { "light", Light }, { "mesh", Mesh }, { "chain", Chain }, { "vectors", Vectors }, { "cone-set", ConeSet },
-  { "volume", Volume }, { "density", Density }, { "fog", Fog } };
+  { "volume", Volume }, { "bricks", Bricks }, { "density", Density }, { "fog", Fog } };
 
 } // namespace
 } // namespace fuzz

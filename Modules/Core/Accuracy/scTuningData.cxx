@@ -192,7 +192,7 @@ std::vector<PathSample> TuningData::SamplesIn(const Box& region) const
       {
         const double fraction = (sample.Point[axis] - region.Min[axis]) / std::max(size[axis], 1e-300);
         sample.Cell =
-          sample.Cell * CellsPerSide + static_cast<int>(std::clamp(fraction * CellsPerSide, 0.0, CellsPerSide - 1.0));
+          sample.Cell * CellsPerSide + static_cast<int>(std::min(std::max(0.0, fraction * CellsPerSide), CellsPerSide - 1.0));
       }
       samples.push_back(sample);
     }

@@ -327,10 +327,10 @@ bool DoesCallerWait()
 /// Does this thread run the body of a loop of ours?
 thread_local bool isInLoop = false;
 
-/// Does this thread run the body of a loop, ours or another's? Before 9.2 VTK knew only whether any thread does.
+/// Does this thread run the body of a loop, ours or another's? Before 9.3 VTK knew only whether any thread does.
 bool IsInLoop()
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
   return isInLoop || vtkSMPTools::IsParallelScope();
 #else
   return isInLoop;
@@ -395,7 +395,7 @@ bool Run(Loop& loop, int threads, const Monitor& monitor)
   }
   else if ((monitor.Progress || monitor.Aborted) && DoesCallerWait() && !IsInLoop())
   {
-    // Not within a loop: from another thread VTK does not know the loop as a part of it, and since 9.2 would wait for threads
+    // Not within a loop: from another thread VTK does not know the loop as a part of it, and since 9.3 would wait for threads
     // that wait for this one.
     ServeWhileOthersWork(loop, threads);
   }

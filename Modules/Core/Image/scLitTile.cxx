@@ -91,8 +91,8 @@ void LitTile::MoveTo(int i0, int j0)
 
 const LitTile::Leaf& LitTile::LeafAt(double i, double j) const
 {
-  const auto column = static_cast<int>(std::clamp(std::floor(i + 0.5) - this->I0, 0.0, Side - 1.0));
-  const auto row = static_cast<int>(std::clamp(std::floor(j + 0.5) - this->J0, 0.0, Side - 1.0));
+  const auto column = static_cast<int>(std::min(std::max(0.0, std::floor(i + 0.5) - this->I0), Side - 1.0));
+  const auto row = static_cast<int>(std::min(std::max(0.0, std::floor(j + 0.5) - this->J0), Side - 1.0));
   return this->Leaves[static_cast<std::size_t>(this->LeafOf[static_cast<std::size_t>(row * Side + column)])];
 }
 

@@ -215,7 +215,7 @@ float VisibilityGridSampler::HiddenBetween(const GridRay& ray, float begin, floa
 {
   const int parts = std::max(this->Grid.BrickParts, 1);
   // Two places a grid cell, and two for each part of a refined one: edges of shadows lie anywhere between them.
-  const int places = static_cast<int>(std::clamp(std::ceil(2.0f * width * ray.Speed), 1.0f, mostPlaces));
+  const int places = static_cast<int>(std::min(std::max(1.0f, std::ceil(2.0f * width * ray.Speed)), mostPlaces));
   const float step = width / static_cast<float>(places);
   float sum = 0.0f;
   for (int place = 0; place < places; ++place)

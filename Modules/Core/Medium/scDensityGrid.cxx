@@ -125,7 +125,7 @@ struct CellWalk
   {
     const int lastCell = std::max(dimension - 2, 0);
     const auto cellAt = [&](double t)
-    { return static_cast<int>(std::clamp(std::floor(from + t * along), 0.0, static_cast<double>(lastCell))); };
+    { return static_cast<int>(std::min(std::max(0.0, std::floor(from + t * along)), static_cast<double>(lastCell))); };
     const int first = cellAt(tBegin);
     this->Cell = first;
     this->FacesLeft = std::abs(cellAt(tEnd) - first);
@@ -264,9 +264,12 @@ const char* PrepareDensityGrid(DensityGrid& grid)
   {
     return "The density grid has not one value for each point.";
   }
-  if (!IsFinite(grid.Origin))
+  // Places in cells are finite then, wherever they are.
+  constexpr double longest = 1e18;
+  constexpr double shortest = 1e-18;
+  if (!(Length(grid.Origin) <= longest))
   {
-    return "The origin of the density grid is not finite.";
+    return "The origin of the density grid is not finite, or beyond 1e18.";
   }
   if (!std::all_of(grid.Values.begin(), grid.Values.end(), [](float v) { return std::isfinite(v) && v >= 0.0f; }))
   {
@@ -275,13 +278,12 @@ const char* PrepareDensityGrid(DensityGrid& grid)
   const Vector3& a = grid.Axes[0];
   const Vector3& b = grid.Axes[1];
   const Vector3& c = grid.Axes[2];
-  const double volume = Dot(a, Cross(b, c));
-  if (!(std::fabs(volume) > 1e-9 * Length(a) * Length(b) * Length(c)))
+  if (!(std::fabs(Dot(Normalized(a), Cross(Normalized(b), Normalized(c)))) > 1e-9))
   {
     return "The axes of the density grid do not span space.";
   }
-  // Places in cells are numbers of single precision then, wherever they are.
-  const auto isStep = [](const Vector3& axis) { return Length(axis) >= 1e-18 && Length(axis) <= 1e18; };
+  const double volume = Dot(a, Cross(b, c));
+  const auto isStep = [](const Vector3& axis) { return Length(axis) >= shortest && Length(axis) <= longest; };
   if (!std::all_of(grid.Axes.begin(), grid.Axes.end(), isStep))
   {
     return "The density grid has an axis whose step is not from 1e-18 to 1e18.";

@@ -170,6 +170,26 @@ TEST(ConeData, WholeNumbersThatAreNoneAreNamed)
   }
 }
 
+TEST(ConeData, BoundsOfAProofThatAreNoBoxProveNothing)
+{
+  const double all = HUGE_VAL;
+  vtkNew<vtkPolyData> data;
+  const auto read = [&data](const std::vector<double>& bounds)
+  {
+    AddDoubleArray(data->GetFieldData(), "CertifiedBounds", 6, bounds);
+    return ReadCertifiedBounds(data->GetFieldData());
+  };
+  EXPECT_TRUE(read({ -all, all, -all, all, -all, all }).Empty());
+  EXPECT_TRUE(read({ 0.0, 1.0, 0.0, 2.0, 0.0, 3.0 }).Contains({ 1.0, 2.0, 3.0 }));
+  for (const std::vector<double>& bounds : { std::vector<double>{ NaN, 1.0, 0.0, 2.0, 0.0, 3.0 }, { 0.0, NaN, 0.0, 2.0, 0.0, 3.0 },
+         { 1.0, 0.0, 0.0, 2.0, 0.0, 3.0 }, { 0.0, 1.0, 0.0, 2.0, 0.0, all } })
+  {
+    const Box box = read(bounds);
+    EXPECT_FALSE(box.Empty());
+    EXPECT_FALSE(box.Contains({ 0.5, 0.5, 0.5 }));
+  }
+}
+
 TEST(ConeData, AxesNearUnitAreNormalised)
 {
   vtkNew<vtkPolyData> data;

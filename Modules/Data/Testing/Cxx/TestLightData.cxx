@@ -160,7 +160,12 @@ TEST(LightData, EachFaultHasItsSentence)
   shape->SetName("LightShape");
   shape->InsertNextValue(6);
   copy->GetFieldData()->AddArray(shape);
-  expect(ReadError(copy), "\"LightShape\" must be from 0 to 5");
+  expect(ReadError(copy), "\"LightShape\" must be a whole number from 0 to 5");
+  vtkNew<vtkDoubleArray> half;
+  half->SetName("LightShape");
+  half->InsertNextValue(1.5);
+  copy->GetFieldData()->AddArray(half);
+  expect(ReadError(copy), "\"LightShape\" must be a whole number from 0 to 5");
 
   source->SetShapeToDisc();
   source->Update();

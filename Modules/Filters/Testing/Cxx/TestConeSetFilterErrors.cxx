@@ -148,6 +148,11 @@ TEST(ConeSetFilterErrors, EachArrayHasItsMessage)
   vectors->GetPointData()->AddArray(shortArray);
   ExpectFault(Execute(vectors, nullptr), "\"Mine\" has 10 tuples where 3000 are needed");
 
+  vectors = Board().Vectors();
+  vectors->GetFieldData()->RemoveArray("LightShape");
+  vectors->GetPointData()->GetArray("LightId")->SetTuple1(2, 2147483647);
+  ExpectFault(Execute(vectors, nullptr), "has the \"LightId\" 2147483647 and 3000 vectors: count lights from 0");
+
   auto paths = Board().Paths();
   paths->GetPointData()->RemoveArray("PathState");
   ExpectFault(Execute(Board().Vectors(), paths), "no array \"PathState\"");

@@ -307,7 +307,7 @@ TEST(ShadowFootprints, TheWriterLeavesOutWhatIsNoPolygon)
   classes->InsertNextValue(7);
   lines->GetCellData()->AddArray(classes);
   EXPECT_EQ(writer->Write(), 0);
-  EXPECT_SAYS(messages.Errors, "The \"ShadowClass\" of outline 1 is 7: it must be 0, 1 or 2.");
+  EXPECT_SAYS(messages.Errors, "The \"ShadowClass\" of outlines' cell 1 is 7: it must be 0, 1 or 2.");
   lines->GetCellData()->RemoveArray("ShadowClass");
   points->SetPoint(1, std::nan(""), 0.0, 0.0);
   points->Modified();

@@ -430,6 +430,17 @@ TEST_F(VisibilityVolume, BadVolumesAreReported)
       lights->SetValue(1, 7);
       volume->GetFieldData()->AddArray(lights);
     });
+  this->ExpectUnreadable("do not fit together",
+    [](vtkImageData* volume)
+    {
+      vtkNew<vtkIntArray> lights; // as many values, half as many tuples
+      lights->SetName("BrickLightId");
+      const vtkIdType bricks = volume->GetFieldData()->GetArray("BrickCells")->GetNumberOfTuples();
+      lights->SetNumberOfComponents(static_cast<int>(bricks));
+      lights->SetNumberOfTuples(1);
+      lights->Fill(0.0);
+      volume->GetFieldData()->AddArray(lights);
+    });
   this->ExpectUnreadable("\"BrickVisibility\" of the visibility volume is -1 in brick 2: it must be in 0..1.",
     [](vtkImageData* volume) { volume->GetFieldData()->GetArray("BrickVisibility")->SetComponent(2, 5, -1.0); });
 }

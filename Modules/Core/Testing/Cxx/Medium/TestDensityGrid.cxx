@@ -110,5 +110,6 @@ TEST(DensityGrid, FaultsAreNamed)
   EXPECT_NE(fault([](DensityGrid& g) { g.Axes[2] = {}; }).find("span"), std::string::npos);
   EXPECT_NE(fault([](DensityGrid& g) { g.Axes[2] = { 0.0, 0.0, 1e-19 }; }).find("1e-18 to 1e18"), std::string::npos);
   EXPECT_NE(fault([](DensityGrid& g) { g.Axes[1] = { 0.0, 1e19, 0.0 }; }).find("1e-18 to 1e18"), std::string::npos);
+  EXPECT_NE(fault([](DensityGrid& g) { g.Origin = { 1.7e308, 1.7e308, 1.7e308 }; }).find("beyond 1e18"), std::string::npos);
   EXPECT_NE(fault([](DensityGrid& g) { g.Origin.X = HUGE_VAL; }).find("origin"), std::string::npos);
 }
