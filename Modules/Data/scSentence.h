@@ -6,6 +6,7 @@
 #ifndef scSentence_h
 #define scSentence_h
 
+#include <charconv>
 #include <sstream>
 #include <string>
 
@@ -18,6 +19,13 @@ std::string Sentence(const Parts&... parts)
   std::ostringstream text;
   (text << ... << parts);
   return text.str();
+}
+
+/// The shortest text that reads back as the same number: 1234567, 0.5, 1e+15, nan.
+inline std::string ShortestText(double value)
+{
+  char text[32];
+  return { text, std::to_chars(text, text + sizeof(text), value).ptr };
 }
 
 /// So many values, separated by commas.

@@ -6,7 +6,6 @@
 
 #include "vtkPolyData.h"
 
-#include <charconv>
 #include <cstdint>
 #include <limits>
 
@@ -20,12 +19,6 @@ constexpr double UnitTolerance = 1e-3;
 
 } // namespace
 
-std::string TextOf(double value)
-{
-  char text[40];
-  return { text, std::to_chars(text, text + sizeof(text), value).ptr };
-}
-
 bool ReadWholeNumber(
   vtkDataArray* array, const char* item, vtkIdType i, const WholeRange& range, int& value, std::string& error)
 {
@@ -33,7 +26,7 @@ bool ReadWholeNumber(
   if (!(given >= range.Least && given <= range.Most && given == std::floor(given)))
   {
     error = Sentence(
-      "The \"", array->GetName(), "\" of ", item, " ", i, " is ", TextOf(given), ": it must be ", range.Expected, ".");
+      "The \"", array->GetName(), "\" of ", item, " ", i, " is ", ShortestText(given), ": it must be ", range.Expected, ".");
     return false;
   }
   value = static_cast<int>(given);

@@ -50,9 +50,6 @@ inline const char* FaultOf(const Vector3& a)
   return first ? first : FaultOf(a.Z);
 }
 
-/// A number with all of its digits, for messages: 1234567, 0.5, 1e+15, nan.
-std::string TextOf(double value);
-
 /// What whole numbers an array may have, and how a message about another one ends.
 struct WholeRange
 {

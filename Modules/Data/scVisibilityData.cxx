@@ -301,7 +301,7 @@ bool ReadBricks(vtkFieldData* field, int light, int lights, VisibilityGrid& grid
     if (!(cell > before && cell < static_cast<double>(numberOfCells) && cell == std::floor(cell)))
     {
       error = Sentence("\"BrickCells\" of the visibility volume must be cells of the volume in ascending order: that of brick ",
-        brick, " is ", TextOf(cell), ".");
+        brick, " is ", ShortestText(cell), ".");
       return false;
     }
     grid.BrickCells.push_back(static_cast<vtkIdType>(cell));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scLightText.h"
 
-#include <charconv>
+#include "scSentence.h"
 
 namespace shadowcones
 {
@@ -9,20 +9,12 @@ namespace shadowcones
 namespace
 {
 
-// The shortest text that reads back as the same number.
-std::string Number(double value)
-{
-  char text[32];
-  const std::to_chars_result end = std::to_chars(text, text + sizeof(text), value);
-  return std::string(text, end.ptr);
-}
-
 std::string List(const std::vector<double>& values)
 {
   std::string text;
   for (const double value : values)
   {
-    text += (text.empty() ? "" : ",") + Number(value);
+    text += (text.empty() ? "" : ",") + ShortestText(value);
   }
   return text;
 }
@@ -38,17 +30,17 @@ std::string ShapeText(const Lamp& lamp)
   switch (lamp.Shape)
   {
     case LightShape::Disc:
-      return "disc:" + Triple(lamp.Center) + " radius " + Number(lamp.Radius) + " facing " + Triple(lamp.Normal);
+      return "disc:" + Triple(lamp.Center) + " radius " + ShortestText(lamp.Radius) + " facing " + Triple(lamp.Normal);
     case LightShape::Rectangle:
       return "rectangle:" + Triple(lamp.Center) + " size " + List({ lamp.Width, lamp.Height }) + " facing " +
         Triple(lamp.Normal) + " up " + Triple(lamp.Up);
     case LightShape::Sphere:
-      return "sphere:" + Triple(lamp.Center) + " radius " + Number(lamp.Radius);
+      return "sphere:" + Triple(lamp.Center) + " radius " + ShortestText(lamp.Radius);
     case LightShape::Point:
       return "point:" + Triple(lamp.Center);
     case LightShape::Sun:
       return "sun: direction " + Triple(lamp.Normal) +
-        (lamp.AngularDiameter == usual.AngularDiameter ? "" : " diameter " + Number(lamp.AngularDiameter)) +
+        (lamp.AngularDiameter == usual.AngularDiameter ? "" : " diameter " + ShortestText(lamp.AngularDiameter)) +
         (Length(lamp.Center) == 0.0 ? "" : " center " + Triple(lamp.Center));
     case LightShape::Mesh:
       break;
@@ -62,7 +54,7 @@ std::string TotalText(const Lamp& lamp)
 {
   const bool seen = lamp.Unit == LightUnit::Lumen;
   const bool equal = lamp.Spectrum.size() == 1;
-  return (lamp.Shape == LightShape::Sun ? " irradiance " : " flux ") + Number(lamp.Total) +
+  return (lamp.Shape == LightShape::Sun ? " irradiance " : " flux ") + ShortestText(lamp.Total) +
     (lamp.Shape == LightShape::Sun ? (seen ? " lx" : " W/m2") : (seen ? " lm" : " W")) +
     (equal ? "" : " spectrum " + List(lamp.Spectrum));
 }

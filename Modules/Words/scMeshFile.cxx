@@ -322,14 +322,18 @@ vtkSmartPointer<vtkPolyData> WithoutStumps(vtkPolyData* mesh)
   return whole;
 }
 
+std::string CannotBeOpened(const std::string& path)
+{
+  return Sentence("\"", path, "\" cannot be opened: ", std::generic_category().message(errno), ".");
+}
+
 // What is wrong with the file before it is opened; its size in bytes.
 std::string FaultOfFile(const std::string& path, std::int64_t& size)
 {
   struct stat status;
   if (stat(path.c_str(), &status) != 0)
   {
-    return errno == ENOENT || errno == ENOTDIR ? Sentence("There is no file \"", path, "\".")
-                                               : Sentence("\"", path, "\" cannot be opened: ", std::generic_category().message(errno), ".");
+    return errno == ENOENT || errno == ENOTDIR ? Sentence("There is no file \"", path, "\".") : CannotBeOpened(path);
   }
   size = status.st_size;
   if (!S_ISREG(status.st_mode))
@@ -338,7 +342,7 @@ std::string FaultOfFile(const std::string& path, std::int64_t& size)
   }
   if (!std::ifstream(path))
   {
-    return Sentence("\"", path, "\" cannot be opened: ", std::generic_category().message(errno), ".");
+    return CannotBeOpened(path);
   }
   return size == 0 ? Sentence("\"", path, "\" is empty.") : std::string();
 }

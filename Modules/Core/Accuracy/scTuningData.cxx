@@ -2,6 +2,7 @@
 #include "scTuningData.h"
 
 #include "scBox.h"
+#include "scCellIndex.h"
 #include "scParallel.h"
 #include "scRandom.h"
 #include "scVector3.h"
@@ -192,7 +193,7 @@ std::vector<PathSample> TuningData::SamplesIn(const Box& region) const
       {
         const double fraction = (sample.Point[axis] - region.Min[axis]) / std::max(size[axis], 1e-300);
         sample.Cell =
-          sample.Cell * CellsPerSide + static_cast<int>(std::min(std::max(0.0, fraction * CellsPerSide), CellsPerSide - 1.0));
+          sample.Cell * CellsPerSide + CellIndex(fraction * CellsPerSide, CellsPerSide - 1);
       }
       samples.push_back(sample);
     }

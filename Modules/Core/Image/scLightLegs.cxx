@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scLightLegs.h"
 
+#include "scCellIndex.h"
 #include "scFrame.h"
 #include "scLightSampling.h"
 #include "scWideLoops.h"
@@ -182,7 +183,7 @@ void LightLegs::LookAt(const Vector3& point, Place& place) const
   {
     const int dimension = this->Dimensions[static_cast<std::size_t>(axis)];
     const double x = (point[axis] - this->Region.Min[axis]) * this->PerLength[static_cast<std::size_t>(axis)];
-    const int cell = std::clamp(static_cast<int>(x), 0, dimension - 2);
+    const int cell = CellIndex(x, dimension - 2);
     upper[axis] = static_cast<float>(x - cell);
     strides[axis] = stride;
     first += static_cast<std::size_t>(cell) * stride;

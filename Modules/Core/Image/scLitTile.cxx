@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scLitTile.h"
 
+#include "scCellIndex.h"
 #include "scWideLoops.h"
 
 #include <algorithm>
@@ -91,8 +92,8 @@ void LitTile::MoveTo(int i0, int j0)
 
 const LitTile::Leaf& LitTile::LeafAt(double i, double j) const
 {
-  const auto column = static_cast<int>(std::min(std::max(0.0, std::floor(i + 0.5) - this->I0), Side - 1.0));
-  const auto row = static_cast<int>(std::min(std::max(0.0, std::floor(j + 0.5) - this->J0), Side - 1.0));
+  const int column = CellIndex(std::floor(i + 0.5) - this->I0, Side - 1);
+  const int row = CellIndex(std::floor(j + 0.5) - this->J0, Side - 1);
   return this->Leaves[static_cast<std::size_t>(this->LeafOf[static_cast<std::size_t>(row * Side + column)])];
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scDensityGrid.h"
 
+#include "scCellIndex.h"
+
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -124,8 +126,7 @@ struct CellWalk
   CellWalk(double from, double along, double tBegin, double tEnd, int dimension, std::size_t stride)
   {
     const int lastCell = std::max(dimension - 2, 0);
-    const auto cellAt = [&](double t)
-    { return static_cast<int>(std::min(std::max(0.0, std::floor(from + t * along)), static_cast<double>(lastCell))); };
+    const auto cellAt = [&](double t) { return CellIndex(from + t * along, lastCell); };
     const int first = cellAt(tBegin);
     this->Cell = first;
     this->FacesLeft = std::abs(cellAt(tEnd) - first);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -20,6 +21,18 @@ Medium MediumInside(const Vector3& low, const Vector3& high, const DensityGrid* 
   medium.Bounds.Max = high;
   medium.Density = density;
   return medium;
+}
+
+/// Points from (-1, -1, -1) on, a quarter of them dense.
+DensityGrid Speckled(
+  const std::array<int, 3>& dimensions, const Vector3& spacing, std::uint32_t state, double dense, double others)
+{
+  return SampleDensity(dimensions, { -1.0, -1.0, -1.0 }, UnitAxes(spacing),
+    [&](const Vector3&)
+    {
+      state = state * 1664525u + 1013904223u;
+      return state >> 30 == 0 ? dense : others;
+    });
 }
 
 } // namespace
@@ -110,13 +123,7 @@ TEST(MediumOpticalDepth, BoundsCutTheImage)
 TEST(MediumOpticalDepth, TheTableOfARayIsItsIntegral)
 {
   // Voxels of ink beside empty ones: cubics that begin within cells.
-  std::uint32_t state = 5;
-  const DensityGrid grid = SampleDensity({ { 5, 6, 4 } }, { -1.0, -1.0, -1.0 }, UnitAxes({ 0.5, 0.4, 0.7 }),
-    [&state](const Vector3&)
-    {
-      state = state * 1664525u + 1013904223u;
-      return state >> 30 == 0 ? 1e9 : 0.0;
-    });
+  const DensityGrid grid = Speckled({ { 5, 6, 4 } }, { 0.5, 0.4, 0.7 }, 5, 1e9, 0.0);
   const Medium medium = MediumInside({ -1.5, -1.5, -1.5 }, { 2.0, 2.0, 2.0 }, &grid);
   MediumOpticalDepth depth(medium);
   for (int k = 0; k < 40; ++k)
@@ -144,13 +151,7 @@ TEST(MediumOpticalDepth, TheTableOfARayIsItsIntegral)
 TEST(MediumOpticalDepth, NeverGrowsLess)
 {
   // What is thin beside ink, in one cell: more digits apart than numbers have.
-  std::uint32_t state = 9;
-  const DensityGrid grid = SampleDensity({ { 3, 4, 3 } }, { -1.0, -1.0, -1.0 }, UnitAxes({ 0.7, 0.5, 0.9 }),
-    [&state](const Vector3&)
-    {
-      state = state * 1664525u + 1013904223u;
-      return state >> 30 == 0 ? 1e15 : 7.0;
-    });
+  const DensityGrid grid = Speckled({ { 3, 4, 3 } }, { 0.7, 0.5, 0.9 }, 9, 1e15, 7.0);
   const Medium medium = MediumInside({ -1.5, -1.5, -1.5 }, { 2.0, 2.0, 2.0 }, &grid);
   MediumOpticalDepth depth(medium);
   for (int k = 0; k < 200; ++k)
